@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The CPU backend: threads over grains, the same interface as exec_gpu.cuh.
+#pragma once
+
+#include "base/buffer.hpp"
+#include "gpudem/errors.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace gpudem {
+
+/// Where and how loops run. Results never depend on the number of threads.
+class CpuExec {
+ public:
+  static constexpr int lanes = 1;   ///< rows of the neighbour table are contiguous
+  template <class T>
+  using Array = Buffer<CpuExec, T>;
+
+  explicit CpuExec(int threads) : threads_(std::max(1, threads)) {}
+
+  std::string name() const { return "CPU, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads"); }
+  std::size_t capacity() const { return 0; }
+
+  static void *allocate(std::size_t bytes, const char *)
+  {
+    void *p = std::aligned_alloc(64, (bytes + 63) / 64 * 64);
+    if (!p) throw std::bad_alloc();
+    return p;
+  }
+  static void release(void *p) noexcept { std::free(p); }
+
+  template <class F>
+  void forEach(std::uint32_t count, const F &f) const
+  {
+    if (threads_ == 1 || count < 512) {
+      for (std::uint32_t i = 0; i < count; ++i) f(i);
+      return;
+    }
+#pragma omp parallel for num_threads(threads_) schedule(static)
+    for (std::uint32_t i = 0; i < count; ++i) f(i);
+  }
+
+  /// op over f(0) .. f(count-1) in a fixed order: chunks first, then their results.
+  template <class T, class F, class Op>
+  T reduce(std::uint32_t count, const F &f, const Op &op, const T &init) const
+  {
+    constexpr std::uint32_t chunk = 2048;
+    const std::uint32_t chunks = (count + chunk - 1) / chunk;
+    std::vector<T> partial(chunks, init);
+    forEach(chunks, [&](std::uint32_t c) {
+      T sum = init;
+      const std::uint32_t end = std::min(count, (c + 1) * chunk);
+      for (std::uint32_t i = c * chunk; i < end; ++i) sum = op(sum, f(i));
+      partial[c] = sum;
+    });
+    T total = init;
+    for (const T &p : partial) total = op(total, p);
+    return total;
+  }
+
+  /// out[i] = sum of in[0 .. i-1]; out has count + 1 entries. \return the total
+  std::uint64_t exclusiveScan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count) const
+  {
+    std::uint64_t sum = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      out[i] = static_cast<std::uint32_t>(sum);
+      sum += in[i];
+    }
+    out[count] = static_cast<std::uint32_t>(sum);
+    return sum;
+  }
+
+  /// Stable counting sort of keys below \p range. \p order[k] is the old index of the k-th smallest.
+  void sort(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order,
+            std::uint32_t count, std::uint32_t range)
+  {
+    starts_.assign(static_cast<std::size_t>(range) + 1, 0);
+    for (std::uint32_t i = 0; i < count; ++i) ++starts_[key.data()[i] + 1];
+    for (std::uint32_t c = 0; c < range; ++c) starts_[c + 1] += starts_[c];
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t k = starts_[key.data()[i]]++;
+      order.data()[k] = i;
+      keyOut.data()[k] = key.data()[i];
+    }
+  }
+
+  template <class T>
+  void fill(T *p, std::size_t count, int byte) const
+  {
+    if (count) std::memset(static_cast<void *>(p), byte, count * sizeof(T));
+  }
+  template <class T>
+  void copyIn(T *device, const T *host, std::size_t count) const
+  {
+    if (count) std::memcpy(static_cast<void *>(device), host, count * sizeof(T));
+  }
+  template <class T>
+  void copyOut(T *host, const T *device, std::size_t count) const
+  {
+    if (count) std::memcpy(static_cast<void *>(host), device, count * sizeof(T));
+  }
+  void synchronize() const {}
+
+ private:
+  int threads_;
+  std::vector<std::uint32_t> starts_;
+};
+
+}  // namespace gpudem

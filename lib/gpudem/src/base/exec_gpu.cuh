@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The CUDA backend: one stream, one launch helper, CUB for scans, sorts and sums.
+#pragma once
+
+#include "base/buffer.hpp"
+#include "base/identity.hpp"
+#include "gpudem/errors.h"
+
+#include <cub/cub.cuh>
+#include <cuda_runtime.h>
+#include <fmt/format.h>
+#include <thrust/iterator/counting_iterator.h>
+
+#include <cstdint>
+#include <string>
+
+namespace gpudem {
+
+/// Throw with the CUDA name and what was attempted.
+inline void check(cudaError_t status, const char *what)
+{
+  if (status == cudaSuccess) return;
+  cudaGetLastError();
+  throw Error(fmt::format("CUDA: {} failed: {} ({})", what, cudaGetErrorString(status), cudaGetErrorName(status)));
+}
+
+template <class F>
+__global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachKernel(std::uint32_t count, const F f)
+{
+  const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
+  if (i < count) f(i);
+}
+
+class GpuExec {
+ public:
+  static constexpr int lanes = 32;   ///< rows of the neighbour table are interleaved warp by warp
+  template <class T>
+  using Array = Buffer<GpuExec, T>;
+
+  explicit GpuExec(int device)
+  {
+    check(cudaSetDevice(device), "selecting the GPU");
+    check(cudaGetDeviceProperties(&properties_, device), "reading the properties of the GPU");
+  }
+
+  std::string name() const
+  {
+    return fmt::format("{} (compute capability {}.{}, {:.0f} GiB)", properties_.name, properties_.major,
+                       properties_.minor, static_cast<double>(properties_.totalGlobalMem) / (1ull << 30));
+  }
+  std::size_t capacity() const { return properties_.totalGlobalMem; }
+
+  static void *allocate(std::size_t bytes, const char *name)
+  {
+    void *p = nullptr;
+    const cudaError_t status = cudaMalloc(&p, bytes);
+    if (status == cudaErrorMemoryAllocation) {
+      cudaGetLastError();
+      std::size_t free = 0, total = 0;
+      cudaMemGetInfo(&free, &total);
+      throw OutOfMemory(fmt::format("out of GPU memory: array '{}' needs {} bytes, {} of {} bytes are free", name,
+                                    bytes, free, total));
+    }
+    check(status, name);
+    return p;
+  }
+  static void release(void *p) noexcept
+  {
+    if (p) cudaFree(p);
+  }
+
+  template <class F>
+  void forEach(std::uint32_t count, const F &f) const
+  {
+    if (count == 0) return;
+    const std::uint32_t blocks = (count + F::blockSize - 1) / F::blockSize;
+    forEachKernel<F><<<blocks, F::blockSize>>>(count, f);
+    check(cudaGetLastError(), "launching a kernel");
+#ifdef GPUDEM_SYNC_LAUNCHES
+    check(cudaDeviceSynchronize(), "running a kernel");
+#endif
+  }
+
+  template <class T, class F, class Op>
+  T reduce(std::uint32_t count, const F &f, const Op &op, const T &init)
+  {
+    result_.reserve(sizeof(T));
+    T *out = reinterpret_cast<T *>(result_.data());
+    thrust::counting_iterator<std::uint32_t> in(0);
+    std::size_t bytes = 0;
+    check(cub::DeviceReduce::TransformReduce(nullptr, bytes, in, out, count, op, f, init), "sizing a reduction");
+    scratch_.reserve(bytes);
+    check(cub::DeviceReduce::TransformReduce(scratch_.data(), bytes, in, out, count, op, f, init), "reducing");
+    T host;
+    check(cudaMemcpy(&host, out, sizeof(T), cudaMemcpyDeviceToHost), "reading a reduction");
+    return host;
+  }
+
+  std::uint64_t exclusiveScan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count)
+  {
+    if (count == 0) {
+      check(cudaMemset(out, 0, sizeof(std::uint32_t)), "clearing a scan");
+      return 0;
+    }
+    std::size_t bytes = 0;
+    check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in, out, count), "sizing a scan");
+    scratch_.reserve(bytes);
+    check(cub::DeviceScan::ExclusiveSum(scratch_.data(), bytes, in, out, count), "scanning");
+    std::uint32_t last[2];
+    check(cudaMemcpy(&last[0], out + count - 1, 4, cudaMemcpyDeviceToHost), "reading a scan");
+    check(cudaMemcpy(&last[1], in + count - 1, 4, cudaMemcpyDeviceToHost), "reading a scan");
+    const std::uint64_t total = static_cast<std::uint64_t>(last[0]) + last[1];
+    const std::uint32_t narrow = static_cast<std::uint32_t>(total);
+    check(cudaMemcpy(out + count, &narrow, 4, cudaMemcpyHostToDevice), "finishing a scan");
+    return total;
+  }
+
+  void sort(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order,
+            std::uint32_t count, std::uint32_t range)
+  {
+    int bits = 1;
+    while (bits < 32 && (1ull << bits) < range) ++bits;
+    thrust::counting_iterator<std::uint32_t> first(0);
+    identity_.reserve(count);
+    forEach(count, IdentityValues{identity_.data()});
+    std::size_t bytes = 0;
+    check(cub::DeviceRadixSort::SortPairs(nullptr, bytes, key.data(), keyOut.data(), identity_.data(), order.data(),
+                                          count, 0, bits), "sizing a sort");
+    scratch_.reserve(bytes);
+    check(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, key.data(), keyOut.data(), identity_.data(),
+                                          order.data(), count, 0, bits), "sorting");
+  }
+
+  template <class T>
+  void fill(T *p, std::size_t count, int byte) const
+  {
+    if (count) check(cudaMemset(p, byte, count * sizeof(T)), "filling an array");
+  }
+  template <class T>
+  void copyIn(T *device, const T *host, std::size_t count) const
+  {
+    if (count) check(cudaMemcpy(device, host, count * sizeof(T), cudaMemcpyHostToDevice), "copying to the GPU");
+  }
+  template <class T>
+  void copyOut(T *host, const T *device, std::size_t count) const
+  {
+    if (count) check(cudaMemcpy(host, device, count * sizeof(T), cudaMemcpyDeviceToHost), "copying from the GPU");
+  }
+  void synchronize() const { check(cudaDeviceSynchronize(), "running the queued kernels"); }
+
+ private:
+  cudaDeviceProp properties_{};
+  Array<unsigned char> scratch_{"scratch of CUB"};
+  Array<unsigned char> result_{"result of a reduction"};
+  Array<std::uint32_t> identity_{"identity permutation"};
+};
+
+}  // namespace gpudem

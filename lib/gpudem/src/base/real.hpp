@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file Arithmetic whose rounding must not be left to the compiler, and atomics on the status word.
+#pragma once
+
+#include "base/annotate.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace gpudem {
+
+/// a*b + c*d rounded product by product: contraction into a fused multiply-add would make the result
+/// depend on which of the two grains asks, and the two sides of a contact must agree to the last bit.
+GPUDEM_HD float symmetricSum(float a, float b, float c, float d)
+{
+#ifdef __CUDA_ARCH__
+  return __fadd_rn(__fmul_rn(a, b), __fmul_rn(c, d));
+#else
+  return a * b + c * d;
+#endif
+}
+GPUDEM_HD double symmetricSum(double a, double b, double c, double d)
+{
+#ifdef __CUDA_ARCH__
+  return __dadd_rn(__dmul_rn(a, b), __dmul_rn(c, d));
+#else
+  return a * b + c * d;
+#endif
+}
+
+GPUDEM_HD std::int32_t roundToInt(float x)
+{
+#ifdef __CUDA_ARCH__
+  return __float2int_rn(x);
+#else
+  return static_cast<std::int32_t>(std::lrintf(x));
+#endif
+}
+GPUDEM_HD std::int64_t roundToInt(double x)
+{
+#ifdef __CUDA_ARCH__
+  return __double2ll_rn(x);
+#else
+  return std::llrint(x);
+#endif
+}
+
+template <class Real>
+GPUDEM_HD Real absolute(Real x)
+{
+  return x < Real(0) ? -x : x;
+}
+
+GPUDEM_HD float squareRoot(float x)
+{
+#ifdef __CUDA_ARCH__
+  return sqrtf(x);
+#else
+  return std::sqrt(x);
+#endif
+}
+GPUDEM_HD double squareRoot(double x)
+{
+#ifdef __CUDA_ARCH__
+  return sqrt(x);
+#else
+  return std::sqrt(x);
+#endif
+}
+
+GPUDEM_HD int lowestBit(std::uint32_t bits)
+{
+#ifdef __CUDA_ARCH__
+  return __ffs(static_cast<int>(bits)) - 1;
+#else
+  return __builtin_ctz(bits);
+#endif
+}
+GPUDEM_HD int bitCount(std::uint32_t bits)
+{
+#ifdef __CUDA_ARCH__
+  return __popc(bits);
+#else
+  return __builtin_popcount(bits);
+#endif
+}
+
+/// Smallest value wins: deterministic whatever the order of the threads.
+GPUDEM_HD void atomicLower(std::uint32_t *address, std::uint32_t value)
+{
+#ifdef __CUDA_ARCH__
+  atomicMin(address, value);
+#else
+  std::uint32_t old = __atomic_load_n(address, __ATOMIC_RELAXED);
+  while (value < old &&
+         !__atomic_compare_exchange_n(address, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+#endif
+}
+
+}  // namespace gpudem

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The engine of one backend and one precision. Included by engine_cpu.cpp and engine_gpu.cu only.
+#pragma once
+
+#include "base/buffer.hpp"
+#include "engine/transfer.hpp"
+#include "gpudem/engine.h"
+#include "neighbor/layout.hpp"
+#include "neighbor/place.hpp"
+#include "neighbor/rows.hpp"
+#include "step/contact_step.hpp"
+#include "step/observables.hpp"
+#include "step/scene_views.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <vector>
+
+namespace gpudem {
+
+template <class Exec, class P>
+class EngineImpl final : public Engine {
+ public:
+  EngineImpl(Exec exec, Precision precision) : exec_(std::move(exec)), precision_(precision)
+  {
+    status_.reserve(1);
+    resetStatus();
+  }
+
+  std::string deviceName() const override { return exec_.name(); }
+  Precision precision() const override { return precision_; }
+  MemoryReport memory() const override;
+  NeighborReport neighbors() const override { return report_; }
+
+  void setScene(const SceneSpec &scene) override;
+  void upload(const HostParticles &host, const Box &box, const ContactHistory *history) override;
+  void uploadFields(const HostParticles &host, unsigned fields) override;
+  void downloadFields(const HostParticles &host, unsigned fields) override;
+  void downloadHalfStepVelocities(const HostParticles &host) override;
+  void downloadHistory(ContactHistory &history) override;
+  void uploadWallHistory(int wall, const double *spring) override;
+  void downloadWallHistory(int wall, double *spring) override;
+  void downloadWallContacts(int wall, double *columns) override;
+  void uploadOrigins(const double *position) override;
+
+  Extent extent(const Box &box) override;
+  void rebuild(const Box &box) override;
+
+  void evaluateForce(const StepInputs &in, const Recording &record) override;
+  void beginStep(const StepInputs &next) override;
+  void queueStep(const StepInputs &in) override;
+  Progress flush() override;
+  void forceStep(const StepInputs &in, const Recording &record) override;
+  void finishStep(const StepInputs &in) override;
+  void completeStep(const StepInputs &in, const Recording &record) override;
+
+  const Observables &observables() override { return observables_; }
+  KineticSums kineticSums(std::uint32_t groupMask, const Array3 &gravity) override;
+
+ private:
+  using Real = typename P::Real;
+  static constexpr int W = Exec::lanes;
+  template <class T>
+  using Array = typename Exec::template Array<T>;
+
+  PositionArrays positions(int which) { return {coarse_[which].data(), P::fine ? fine_[which].data() : nullptr}; }
+  void resetStatus();
+  void reserveParticles();
+  StepView<P> view(const StepInputs &in, std::int64_t coming);
+  void runEvent(const StepInputs &in, const Recording &record, bool advance, bool finish);
+  void launchContacts(const StepView<P> &v, StepMode mode);
+  template <StepMode mode>
+  void launchContactsIn(const StepView<P> &v);
+  void requireRows(const char *what) const;
+  void throwBroken(std::uint32_t particle, std::int64_t step);
+  void collectObservables(const Recording &record);
+
+  void extractSprings();
+  void buildRows();
+  void setAnchors();
+  template <class T>
+  void permute(Array<T> &a, Array<T> &scratch);
+  template <class T>
+  const T *stageIn(const T *host, std::size_t count);
+  template <class T>
+  T *stageOut(std::size_t count);
+
+  Exec exec_;
+  Precision precision_;
+  SceneSpec scene_;
+  Box box_;
+  CellGrid grid_{};
+  Frame frame_{};
+  AnchorRule anchorRule_{};
+  std::uint32_t count_ = 0;
+
+  int posNow_ = 0, motNow_ = 0;       ///< which of the two buffers holds the current state
+  int queued_ = 0;
+  std::vector<std::int64_t> queuedSteps_;
+  bool rowsValid_ = false, forceValid_ = false, storeFresh_ = false;
+  NeighborReport report_;
+  Observables observables_;
+
+  Array<CoarsePosition> coarse_[2] = {Array<CoarsePosition>("positions"), Array<CoarsePosition>("positions (2)")};
+  Array<FinePosition> fine_[2] = {Array<FinePosition>("fine positions"), Array<FinePosition>("fine positions (2)")};
+  Array<Motion<Real>> motion_[2] = {Array<Motion<Real>>("velocities"), Array<Motion<Real>>("velocities (2)")};
+  Array<int> type_{"types"}, image_{"image flags"}, intScratch_{"scratch"};
+  Array<std::int32_t> tag_{"atom-IDs"};
+  Array<std::uint32_t> hostIndex_{"host indices"}, cell_{"cells of the grains"}, key_{"cell keys"},
+      order_{"sorting permutation"}, anchor_{"anchors"}, uintScratch_{"scratch (2)"};
+  Array<Vec3<Real>> force_{"forces"}, torque_{"torques"}, vecScratch_{"scratch (3)"};
+  Array<Vec3<double>> origin_{"original positions"}, originScratch_{"original positions (2)"};
+  Array<std::uint32_t> cellFirst_{"first grains of cells"}, cellEnd_{"last grains of cells"};
+  Array<std::uint32_t> rowCount_{"row lengths"}, sliceEntries_{"slice widths"}, sliceWords_{"slice words"},
+      rowStart_{"row starts"}, maskStart_{"touch starts"}, neighbor_{"neighbour rows"}, touch_{"touch bits"};
+  Array<Real> spring_{"tangential springs"};
+  Array<std::uint32_t> storeOffset_{"stored contacts"};
+  Array<std::int32_t> storePartner_{"partners of stored contacts"};
+  Array<Real> storeSpring_{"stored springs"};
+  Array<Real> virial_{"virials"};
+  Array<std::uint8_t> typeTable_{"type exclusions"};
+  Array<unsigned char> staging_{"staging"};
+  Array<Status> status_{"status"};
+  std::vector<Array<Vec3<Real>>> wallSpring_, termBefore_;
+  std::vector<Array<Real>> wallContacts_, drag_;
+  std::uint64_t entries_ = 0;
+};
+
+}  // namespace gpudem
+
+#include "engine/engine_neighbors.inl.hpp"
+#include "engine/engine_steps.inl.hpp"
+#include "engine/engine_transfer.inl.hpp"

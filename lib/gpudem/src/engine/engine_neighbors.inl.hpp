@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file EngineImpl: sorting, rows, and the springs carried across a rebuild.
+#pragma once
+
+#include "engine/engine_impl.hpp"
+
+namespace gpudem {
+
+inline BoxView toBoxView(const Box &box)
+{
+  return {toVec3(box.lo), toVec3(box.hi), {box.periodic[0], box.periodic[1], box.periodic[2]}};
+}
+
+template <class Exec, class P>
+Extent EngineImpl<Exec, P>::extent(const Box &box)
+{
+  Extent e;
+  e.lo = box.lo;
+  e.hi = box.hi;
+  if (!count_) return e;
+  const double huge = std::numeric_limits<double>::max();
+  const ExtentSum none{{huge, huge, huge}, {-huge, -huge, -huge}, 0};
+  const ExtentSum s = exec_.reduce(
+      count_, GrainExtent<P>{positions(posNow_), cell_.data(), grid_, frame_, toBoxView(box)}, JoinExtents{}, none);
+  for (int d = 0; d < 3; ++d) {
+    e.lo[d] = s.lo[d];
+    e.hi[d] = s.hi[d];
+  }
+  e.outside = s.outside;
+  return e;
+}
+
+template <class Exec, class P>
+template <class T>
+void EngineImpl<Exec, P>::permute(Array<T> &a, Array<T> &scratch)
+{
+  scratch.reserve(a.capacity());
+  exec_.forEach(count_, Gather<T>{order_.data(), a.data(), scratch.data()});
+  a.swap(scratch);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::extractSprings()
+{
+  const RowView<Real> rows{rowStart_.data(), maskStart_.data(), rowCount_.data(),
+                           neighbor_.data(), touch_.data(),     spring_.data()};
+  uintScratch_.reserve(count_ + 1);
+  exec_.forEach(count_, CountSprings<Real, W>{rows, uintScratch_.data()});
+  storeOffset_.reserve(count_ + 1);
+  const std::uint64_t total = exec_.exclusiveScan(uintScratch_.data(), storeOffset_.data(), count_);
+  if (total >> 32) throw Error(fmt::format("{} contacts exceed the 32-bit index of the contact store", total));
+  storePartner_.reserveWithSlack(total);
+  storeSpring_.reserveWithSlack(3 * total);
+  exec_.forEach(count_, ExtractSprings<Real, W>{rows, tag_.data(), storeOffset_.data(), storePartner_.data(),
+                                                storeSpring_.data()});
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::rebuild(const Box &box)
+{
+  if (queued_) throw Error("a rebuild needs the queued steps to be flushed first");
+  box_ = box;
+  ++report_.rebuilds;
+  if (!count_) {
+    rowsValid_ = true;
+    return;
+  }
+  const CellGrid fresh = chooseGrid(box, reachOf(scene_), count_);
+  for (int d = 0; d < 3; ++d)
+    if (fresh.size[d] * 2.0 > frame_.window[d])
+      throw Error(fmt::format("the box grew so much in direction {} that the cells ({:g}) no longer fit the "
+                              "coordinate window ({:g})", "xyz"[d], fresh.size[d], frame_.window[d]));
+  if (scene_.pair.hasHistory() && !storeFresh_) extractSprings();
+
+  key_.reserve(count_);
+  order_.reserve(count_);
+  exec_.forEach(count_, PlaceGrains<P>{positions(posNow_), cell_.data(), grid_, fresh, frame_, toBoxView(box),
+                                       image_.data(), key_.data()});
+  grid_ = fresh;
+  exec_.sort(key_, cell_, order_, count_, grid_.cells());
+
+  exec_.forEach(count_, Gather<CoarsePosition>{order_.data(), coarse_[posNow_].data(), coarse_[1 - posNow_].data()});
+  if (P::fine)
+    exec_.forEach(count_, Gather<FinePosition>{order_.data(), fine_[posNow_].data(), fine_[1 - posNow_].data()});
+  posNow_ = 1 - posNow_;
+  exec_.forEach(count_, Gather<Motion<Real>>{order_.data(), motion_[motNow_].data(), motion_[1 - motNow_].data()});
+  motNow_ = 1 - motNow_;
+  permute(type_, intScratch_);
+  permute(image_, intScratch_);
+  permute(tag_, intScratch_);
+  permute(hostIndex_, uintScratch_);
+  if (forceValid_) {
+    permute(force_, vecScratch_);
+    permute(torque_, vecScratch_);
+  }
+  for (auto &spring : wallSpring_)
+    if (spring.capacity()) permute(spring, vecScratch_);
+  if (origin_.capacity()) permute(origin_, originScratch_);
+
+  buildRows();
+  setAnchors();
+  storeFresh_ = false;
+  rowsValid_ = true;
+  resetStatus();
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::buildRows()
+{
+  const std::uint32_t cells = grid_.cells();
+  cellFirst_.reserveWithSlack(cells);
+  cellEnd_.reserveWithSlack(cells);
+  exec_.fill(cellFirst_.data(), cells, 0);
+  exec_.fill(cellEnd_.data(), cells, 0);
+  exec_.forEach(count_, CellRanges{cell_.data(), count_, cellFirst_.data(), cellEnd_.data()});
+
+  BuildView<P> v{};
+  v.count = count_;
+  v.position = positions(posNow_);
+  v.motion = motion_[motNow_].data();
+  v.type = type_.data();
+  v.tag = tag_.data();
+  v.cell = cell_.data();
+  v.cellFirst = cellFirst_.data();
+  v.cellEnd = cellEnd_.data();
+  v.grid = grid_;
+  v.frame = frame_;
+  v.skin = static_cast<float>(scene_.skin);
+  v.reachSlack =
+      static_cast<float>(4.0 * std::max(frame_.unit32.x, std::max(frame_.unit32.y, frame_.unit32.z)));
+  v.exclude.groups = static_cast<int>(scene_.exclusions.groups.size());
+  for (int g = 0; g < v.exclude.groups; ++g) {
+    v.exclude.groupA[g] = scene_.exclusions.groups[g].first;
+    v.exclude.groupB[g] = scene_.exclusions.groups[g].second;
+  }
+  v.exclude.typeTable = typeTable_.capacity() ? typeTable_.data() : nullptr;
+  v.exclude.types = scene_.types;
+
+  const std::uint32_t slices = (count_ + W - 1) / W;
+  rowCount_.reserve(count_);
+  sliceEntries_.reserve(slices);
+  sliceWords_.reserve(slices);
+  rowStart_.reserve(slices + 1);
+  maskStart_.reserve(slices + 1);
+  exec_.forEach(count_, CountNeighbors<P>{v, rowCount_.data()});
+  exec_.forEach(slices, SliceWidths<W>{count_, rowCount_.data(), sliceEntries_.data(), sliceWords_.data()});
+  entries_ = exec_.exclusiveScan(sliceEntries_.data(), rowStart_.data(), slices);
+  const std::uint64_t words = exec_.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices);
+  if (entries_ >> 32) throw Error(fmt::format("{} neighbour entries exceed the 32-bit index of the rows", entries_));
+  neighbor_.reserveWithSlack(entries_);
+  report_.entriesPerGrain = static_cast<double>(entries_) / count_;
+  report_.cells = cells;
+
+  if (scene_.pair.hasHistory()) {
+    touch_.reserveWithSlack(words);
+    spring_.reserveWithSlack(3 * entries_);
+    const ContactStore<Real> store{storeOffset_.data(), storePartner_.data(), storeSpring_.data()};
+    exec_.forEach(count_, FillRows<P, true, W>{v, rowStart_.data(), maskStart_.data(), rowCount_.data(),
+                                               neighbor_.data(), touch_.data(), spring_.data(), store,
+                                               order_.data()});
+  } else {
+    exec_.forEach(count_, FillRows<P, false, W>{v, rowStart_.data(), maskStart_.data(), rowCount_.data(),
+                                                neighbor_.data(), nullptr, nullptr, {}, order_.data()});
+  }
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::setAnchors()
+{
+  SetAnchors<P> s{};
+  s.position = positions(posNow_);
+  s.motion = motion_[motNow_].data();
+  s.cell = cell_.data();
+  s.grid = grid_;
+  s.frame = frame_;
+  s.rule = anchorRule_;
+  s.skin = scene_.skin;
+  s.walls = static_cast<int>(scene_.walls.size());
+  for (int w = 0; w < s.walls; ++w) {
+    const WallSpec &spec = scene_.walls[w];
+    s.wall[w] = wallAt<Real>(spec, spec.stepOrigin, scene_.timestep, wallSpring_[w].data(), nullptr);
+    const bool sweeps = spec.wiggle && spec.shape == WallShape::Plane && spec.axis == spec.motionAxis;
+    s.wallLoReach[w] = sweeps ? std::min(0.0, 2.0 * spec.amplitude) : 0.0;
+    s.wallHiReach[w] = sweeps ? std::max(0.0, 2.0 * spec.amplitude) : 0.0;
+  }
+  s.anchor = anchor_.data();
+  exec_.forEach(count_, s);
+}
+
+}  // namespace gpudem

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file EngineImpl: launching steps and collecting what events record.
+#pragma once
+
+#include "engine/engine_impl.hpp"
+
+namespace gpudem {
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::resetStatus()
+{
+  const Status fresh{noLimit, noParticle};
+  exec_.copyIn(status_.data(), &fresh, 1);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
+{
+  if (scene.walls.size() > maxWalls) throw Error(fmt::format("{} walls, at most {}", scene.walls.size(), maxWalls));
+  if (scene.terms.size() > maxTerms)
+    throw Error(fmt::format("{} force terms, at most {}", scene.terms.size(), maxTerms));
+  if (scene.integrators.size() > maxIntegrators)
+    throw Error(fmt::format("{} integrators, at most {}", scene.integrators.size(), maxIntegrators));
+  if (scene.exclusions.groups.size() > maxGroupExclusions)
+    throw Error(fmt::format("{} group exclusions, at most {}", scene.exclusions.groups.size(), maxGroupExclusions));
+  scene_ = scene;
+  rowsValid_ = false;
+
+  wallSpring_.clear();
+  wallContacts_.clear();
+  for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+    wallSpring_.emplace_back("springs of a wall");
+    wallContacts_.emplace_back("contacts of a wall");
+  }
+  termBefore_.clear();
+  drag_.clear();
+  for (const ForceTerm &term : scene.terms) {
+    termBefore_.emplace_back("recorded forces");
+    drag_.emplace_back("drag per type");
+    if (term.kind == ForceTermKind::Viscous) {
+      const std::vector<Real> gamma(term.dragPerType.begin(), term.dragPerType.end());
+      drag_.back().reserve(gamma.size());
+      exec_.copyIn(drag_.back().data(), gamma.data(), gamma.size());
+    }
+  }
+  typeTable_.clear();
+  if (!scene.exclusions.types.empty()) {
+    const int n = scene.types + 1;
+    std::vector<std::uint8_t> table(static_cast<std::size_t>(n) * n, 0);
+    for (const auto &[a, b] : scene.exclusions.types) table[a * n + b] = table[b * n + a] = 1;
+    typeTable_.reserve(table.size());
+    exec_.copyIn(typeTable_.data(), table.data(), table.size());
+  }
+}
+
+template <class Exec, class P>
+StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
+{
+  StepView<P> v{};
+  v.count = count_;
+  v.status = status_.data();
+  v.in = v.out = positions(posNow_);
+  v.motionIn = v.motionOut = motion_[motNow_].data();
+  v.rows = {rowStart_.data(), maskStart_.data(), rowCount_.data(), neighbor_.data(), touch_.data(), spring_.data()};
+  v.anchor = anchor_.data();
+  v.anchorRule = anchorRule_;
+  v.frame = frame_;
+  v.reachSlack =
+      static_cast<float>(4.0 * std::max(frame_.unit32.x, std::max(frame_.unit32.y, frame_.unit32.z)));
+  v.law = coefficients<Real>(scene_.pair);
+  v.frozenMask = scene_.frozenMask;
+  v.dt = static_cast<Real>(scene_.timestep);
+  v.halfKick = scene_.halfKick;
+  v.advanceSprings = true;
+  v.terms = static_cast<int>(scene_.terms.size());
+  for (int k = 0; k < v.terms; ++k) {
+    const ForceTerm &t = scene_.terms[k];
+    const bool moving = k < static_cast<int>(in.termValue.size());
+    TermView<Real> &o = v.term[k];
+    o.kind = t.kind;
+    o.groupMask = t.groupMask;
+    o.value = toVec3(moving ? in.termValue[k] : t.value).as<Real>();
+    o.prescribed = componentBits(t.prescribed);
+    o.wall = t.wall;
+    o.dragPerType = drag_[k].data();
+    o.before = nullptr;
+  }
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
+    v.wall[w] = wallAt<Real>(scene_.walls[w], in.step, scene_.timestep, wallSpring_[w].data(), nullptr);
+  v.integrators = static_cast<int>(scene_.integrators.size());
+  for (int k = 0; k < v.integrators; ++k)
+    v.integrator[k] = integratorAt(scene_.integrators[k], coming, scene_.timestep);
+  v.cell = cell_.data();
+  v.grid = grid_;
+  v.type = type_.data();
+  v.origin = origin_.data();
+  v.force = force_.data();
+  v.torque = torque_.data();
+  return v;
+}
+
+template <class Exec, class P>
+template <StepMode mode>
+void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
+{
+  using N = NormalModel;
+  using T = TangentialModel;
+  const auto launch = [&](auto normal, auto tangential) {
+    constexpr N n = decltype(normal)::value;
+    constexpr T t = decltype(tangential)::value;
+    if (scene_.walls.empty()) exec_.forEach(count_, ContactStep<P, n, t, mode, false, W>{v});
+    else exec_.forEach(count_, ContactStep<P, n, t, mode, true, W>{v});
+  };
+  const std::integral_constant<N, N::Hooke> hooke;
+  const std::integral_constant<N, N::Hertz> hertz;
+  const std::integral_constant<T, T::Spring> spring;
+  if (scene_.pair.normal == N::Hertz) {
+    if (scene_.pair.tangential != T::Spring) throw Error("a Hertz contact without tangential springs is not compiled");
+    launch(hertz, spring);
+  } else if (scene_.pair.tangential == T::Spring) {
+    launch(hooke, spring);
+  } else if (scene_.pair.tangential == T::Viscous) {
+    launch(hooke, std::integral_constant<T, T::Viscous>{});
+  } else {
+    launch(hooke, std::integral_constant<T, T::None>{});
+  }
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::launchContacts(const StepView<P> &v, StepMode mode)
+{
+  if (mode == StepMode::Fused) launchContactsIn<StepMode::Fused>(v);
+  else launchContactsIn<StepMode::Event>(v);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::requireRows(const char *what) const
+{
+  if (!rowsValid_) throw Error(fmt::format("{} needs neighbour rows, but a rebuild is due", what));
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::runEvent(const StepInputs &in, const Recording &record, bool advance, bool finish)
+{
+  requireRows("a force evaluation");
+  StepView<P> v = view(in, in.step + 1);
+  v.motionOut = motion_[1 - motNow_].data();
+  v.advanceSprings = advance;
+  v.finish = finish;
+  if (record.virial) {
+    virial_.reserve(6 * static_cast<std::size_t>(count_));
+    v.virial = virial_.data();
+  }
+  for (int k = 0; k < v.terms; ++k) {
+    if (!scene_.terms[k].record) continue;
+    termBefore_[k].reserve(count_);
+    v.term[k].before = termBefore_[k].data();
+  }
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
+    if (!scene_.walls[w].recordContacts) continue;
+    wallContacts_[w].reserve(8 * static_cast<std::size_t>(count_));
+    exec_.fill(wallContacts_[w].data(), 8 * static_cast<std::size_t>(count_), 0);
+    v.wall[w].contacts = wallContacts_[w].data();
+  }
+  launchContacts(v, StepMode::Event);
+  motNow_ = 1 - motNow_;
+  Status s;
+  exec_.copyOut(&s, status_.data(), 1);
+  if (s.badParticle != noParticle) throwBroken(s.badParticle, in.step);
+  forceValid_ = true;
+  collectObservables(record);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::collectObservables(const Recording &record)
+{
+  observables_.virial.fill(0.0);
+  if (record.virial && count_) {
+    const Sums<6> s = exec_.reduce(count_, VirialTerms<Real>{count_, virial_.data()}, AddSums{}, Sums<6>{});
+    for (int k = 0; k < 6; ++k) observables_.virial[k] = s.value[k];
+  }
+  observables_.termForce.assign(scene_.terms.size(), Array3{});
+  for (std::size_t k = 0; k < scene_.terms.size(); ++k) {
+    if (!scene_.terms[k].record || !count_) continue;
+    const Sums<3> s = exec_.reduce(count_, ForceTerms<Real>{termBefore_[k].data()}, AddSums{}, Sums<3>{});
+    for (int d = 0; d < 3; ++d) observables_.termForce[k][d] = s.value[d];
+  }
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::throwBroken(std::uint32_t particle, std::int64_t step)
+{
+  std::int32_t tag = 0;
+  exec_.copyOut(&tag, tag_.data() + particle, 1);
+  Motion<Real> m;
+  exec_.copyOut(&m, motion_[motNow_].data() + particle, 1);
+  resetStatus();
+  rowsValid_ = false;
+  throw UnstableState(
+      fmt::format("atom {} at step {} is not a number or moves more than a cell in one step (velocity {:g} {:g} {:g}): "
+                  "the time step is too large for the stiffness, or the input overlaps grains",
+                  tag, step, m.vx, m.vy, m.vz));
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::evaluateForce(const StepInputs &in, const Recording &record)
+{
+  runEvent(in, record, false, false);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::forceStep(const StepInputs &in, const Recording &record)
+{
+  runEvent(in, record, true, false);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::completeStep(const StepInputs &in, const Recording &record)
+{
+  runEvent(in, record, true, true);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::finishStep(const StepInputs &in)
+{
+  exec_.forEach(count_, FinishStep<P>{view(in, in.step + 1)});
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::beginStep(const StepInputs &next)
+{
+  if (!forceValid_ && count_) throw Error("a step was begun without a force");
+  exec_.forEach(count_, BeginStep<P>{view(next, next.step)});
+  forceValid_ = false;
+  queued_ = 0;
+  queuedSteps_.assign(1, next.step);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
+{
+  requireRows("a step");
+  StepView<P> v = view(in, in.step + 1);
+  const int from = queued_ & 1;
+  v.in = positions(posNow_ ^ from);
+  v.out = positions(posNow_ ^ from ^ 1);
+  v.motionIn = motion_[motNow_ ^ from].data();
+  v.motionOut = motion_[motNow_ ^ from ^ 1].data();
+  v.sequence = static_cast<std::uint32_t>(++queued_);
+  launchContacts(v, StepMode::Fused);
+  queuedSteps_.push_back(in.step);
+}
+
+template <class Exec, class P>
+Progress EngineImpl<Exec, P>::flush()
+{
+  Status s;
+  exec_.copyOut(&s, status_.data(), 1);
+  Progress p;
+  p.needsRebuild = s.lastAllowed != noLimit;
+  p.executed = p.needsRebuild ? std::min(queued_, static_cast<int>(s.lastAllowed)) : queued_;
+  posNow_ ^= p.executed & 1;
+  motNow_ ^= p.executed & 1;
+  const std::int64_t reached = queuedSteps_.empty() ? 0 : queuedSteps_[p.executed];
+  queued_ = 0;
+  queuedSteps_.assign(1, reached);
+  if (s.badParticle != noParticle) throwBroken(s.badParticle, reached);
+  if (p.needsRebuild) {
+    rowsValid_ = false;
+    resetStatus();
+  }
+  return p;
+}
+
+template <class Exec, class P>
+KineticSums EngineImpl<Exec, P>::kineticSums(std::uint32_t groupMask, const Array3 &gravity)
+{
+  KineticSums k;
+  if (!count_) return k;
+  const Sums<9> s = exec_.reduce(count_,
+                                 KineticTerms<P>{positions(posNow_), motion_[motNow_].data(), cell_.data(), grid_,
+                                                 frame_, groupMask, toVec3(gravity)},
+                                 AddSums{}, Sums<9>{});
+  for (int d = 0; d < 6; ++d) k.momentumFlux[d] = s.value[d];
+  k.rotational = s.value[6];
+  k.gravity = s.value[7];
+  k.count = static_cast<std::int64_t>(s.value[8] + 0.5);
+  return k;
+}
+
+}  // namespace gpudem

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file EngineImpl: fields between host and device.
+#pragma once
+
+#include "engine/engine_impl.hpp"
+
+namespace gpudem {
+
+template <class Exec, class P>
+MemoryReport EngineImpl<Exec, P>::memory() const
+{
+  std::size_t b = 0;
+  const auto add = [&](const auto &a) { b += a.bytes(); };
+  for (int k = 0; k < 2; ++k) {
+    add(coarse_[k]);
+    add(fine_[k]);
+    add(motion_[k]);
+  }
+  for (const auto *a : {&type_, &image_, &intScratch_, &tag_, &storePartner_}) add(*a);
+  for (const auto *a : {&hostIndex_, &cell_, &key_, &order_, &anchor_, &uintScratch_, &cellFirst_, &cellEnd_,
+                        &rowCount_, &sliceEntries_, &sliceWords_, &rowStart_, &maskStart_, &neighbor_, &touch_,
+                        &storeOffset_})
+    add(*a);
+  for (const auto *a : {&force_, &torque_, &vecScratch_}) add(*a);
+  for (const auto *a : {&origin_, &originScratch_}) add(*a);
+  for (const auto *a : {&spring_, &storeSpring_, &virial_}) add(*a);
+  for (const auto &a : wallSpring_) add(a);
+  for (const auto &a : termBefore_) add(a);
+  for (const auto &a : wallContacts_) add(a);
+  add(staging_);
+  return {b, exec_.capacity()};
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::reserveParticles()
+{
+  const std::size_t n = std::max<std::size_t>(1, count_);
+  for (int k = 0; k < 2; ++k) {
+    coarse_[k].reserve(n);
+    if (P::fine) fine_[k].reserve(n);
+    motion_[k].reserve(n);
+  }
+  type_.reserve(n);
+  image_.reserve(n);
+  tag_.reserve(n);
+  hostIndex_.reserve(n);
+  cell_.reserve(n);
+  anchor_.reserve(n);
+  force_.reserve(n);
+  torque_.reserve(n);
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
+    if (scene_.walls[w].law.hasHistory()) {
+      wallSpring_[w].reserve(n);
+      exec_.fill(wallSpring_[w].data(), n, 0);
+    }
+}
+
+template <class Exec, class P>
+template <class T>
+const T *EngineImpl<Exec, P>::stageIn(const T *host, std::size_t count)
+{
+  T *p = stageOut<T>(count);
+  exec_.copyIn(p, host, count);
+  return p;
+}
+
+template <class Exec, class P>
+template <class T>
+T *EngineImpl<Exec, P>::stageOut(std::size_t count)
+{
+  staging_.reserve(count * sizeof(T));
+  return reinterpret_cast<T *>(staging_.data());
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, const ContactHistory *history)
+{
+  if (host.count >= noParticle) throw Error(fmt::format("{} grains exceed the 32-bit index", host.count));
+  count_ = static_cast<std::uint32_t>(host.count);
+  box_ = box;
+  rowsValid_ = false;
+  queued_ = 0;
+  resetStatus();
+  grid_ = chooseGrid(box, reachOf(scene_), count_);
+  frame_ = chooseFrame(box, grid_);
+  anchorRule_ = chooseAnchors(frame_, scene_.skin);
+  for (int d = 0; d < 3; ++d) {
+    const bool wraps = d == 0 ? grid_.wrapX : d == 1 ? grid_.wrapY : grid_.wrapZ;
+    if (wraps && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_))
+      throw Error(fmt::format("the periodic box is {:g} long in {}, shorter than twice the interaction range {:g}",
+                              box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_)));
+  }
+  reserveParticles();
+  if (count_) {
+    for (std::uint32_t i = 0; i < count_; ++i)
+      if (!(host.radius[i] > 0.0) || !(host.mass[i] > 0.0))
+        throw Error(fmt::format("atom {} has radius {:g} and mass {:g}; both must be positive", host.tag[i],
+                                host.radius[i], host.mass[i]));
+    exec_.forEach(count_, IdentityValues{hostIndex_.data()});
+    exec_.copyIn(tag_.data(), host.tag, count_);
+    exec_.copyIn(image_.data(), host.image, count_);
+    uploadFields(host, fieldMask | fieldShape | fieldKinetic | fieldForce | fieldTorque);
+  }
+  forceValid_ = host.force != nullptr;
+  storeFresh_ = scene_.pair.hasHistory();
+  if (storeFresh_) {
+    const std::size_t contacts = history ? history->partner.size() : 0;
+    storeOffset_.reserve(count_ + 1);
+    storePartner_.reserveWithSlack(contacts);
+    storeSpring_.reserveWithSlack(3 * contacts);
+    if (history) {
+      const std::vector<Real> spring(history->spring.begin(), history->spring.end());
+      exec_.copyIn(storeOffset_.data(), history->offset.data(), history->offset.size());
+      exec_.copyIn(storePartner_.data(), history->partner.data(), contacts);
+      exec_.copyIn(storeSpring_.data(), spring.data(), spring.size());
+    } else {
+      exec_.fill(storeOffset_.data(), count_ + 1, 0);
+    }
+  }
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned fields)
+{
+  if (host.count != count_)
+    throw Error(fmt::format("{} grains on the host, {} resident: the whole state must be uploaded", host.count, count_));
+  if (!count_) return;
+  const std::uint32_t *index = hostIndex_.data();
+  Motion<Real> *motion = motion_[motNow_].data();
+  const auto vectors = [&](const double *p) {
+    return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_);
+  };
+  if ((fields & fieldShape) && host.radius) {
+    exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), index, positions(posNow_)});
+    exec_.forEach(count_, ImportMass<Real>{stageIn(host.mass, count_), index, motion});
+    rowsValid_ = false;
+  }
+  if ((fields & fieldPosition) && host.position) {
+    exec_.forEach(count_, ImportPositions<P>{vectors(host.position), nullptr, index, grid_, frame_,
+                                             positions(posNow_), cell_.data()});
+    rowsValid_ = false;
+  }
+  if ((fields & fieldVelocity) && host.velocity)
+    exec_.forEach(count_, ImportMotion<Real>{vectors(host.velocity), index, VectorField::Velocity, motion});
+  if ((fields & fieldSpin) && host.spin)
+    exec_.forEach(count_, ImportMotion<Real>{vectors(host.spin), index, VectorField::Spin, motion});
+  if ((fields & fieldForce) && host.force)
+    exec_.forEach(count_, ImportValues<Vec3<double>, Vec3<Real>>{vectors(host.force), index, force_.data()});
+  if ((fields & fieldTorque) && host.torque)
+    exec_.forEach(count_, ImportValues<Vec3<double>, Vec3<Real>>{vectors(host.torque), index, torque_.data()});
+  if ((fields & fieldMask) && host.mask) {
+    exec_.forEach(count_, ImportMask<Real>{stageIn(host.mask, count_), index, motion});
+    exec_.forEach(count_, ImportValues<int, int>{stageIn(host.type, count_), index, type_.data()});
+    rowsValid_ = false;
+  }
+  if ((fields & fieldImage) && host.image)
+    exec_.forEach(count_, ImportValues<int, int>{stageIn(host.image, count_), index, image_.data()});
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::downloadFields(const HostParticles &host, unsigned fields)
+{
+  if (host.count != count_)
+    throw Error(fmt::format("{} grains on the host, {} resident: fields cannot be copied back", host.count, count_));
+  if (!count_) return;
+  const std::uint32_t *index = hostIndex_.data();
+  const Motion<Real> *motion = motion_[motNow_].data();
+  Vec3<double> *out = stageOut<Vec3<double>>(count_);
+  const auto deliver = [&](double *host) { exec_.copyOut(reinterpret_cast<Vec3<double> *>(host), out, count_); };
+  if ((fields & fieldPosition) && host.position) {
+    exec_.forEach(count_, ExportPositions<P>{positions(posNow_), cell_.data(), index, grid_, frame_, out});
+    deliver(host.position);
+  }
+  if ((fields & fieldVelocity) && host.velocity) {
+    exec_.forEach(count_, ExportMotion<Real>{motion, index, VectorField::Velocity, out});
+    deliver(host.velocity);
+  }
+  if ((fields & fieldSpin) && host.spin) {
+    exec_.forEach(count_, ExportMotion<Real>{motion, index, VectorField::Spin, out});
+    deliver(host.spin);
+  }
+  if ((fields & fieldForce) && host.force) {
+    exec_.forEach(count_, ExportValues<Vec3<Real>, Vec3<double>>{force_.data(), index, out});
+    deliver(host.force);
+  }
+  if ((fields & fieldTorque) && host.torque) {
+    exec_.forEach(count_, ExportValues<Vec3<Real>, Vec3<double>>{torque_.data(), index, out});
+    deliver(host.torque);
+  }
+  if ((fields & fieldImage) && host.image) {
+    int *flags = reinterpret_cast<int *>(out);
+    exec_.forEach(count_, ExportValues<int, int>{image_.data(), index, flags});
+    exec_.copyOut(host.image, flags, count_);
+  }
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::downloadHalfStepVelocities(const HostParticles &host)
+{
+  const int now = motNow_;
+  motNow_ = 1 - motNow_;
+  try {
+    downloadFields(host, fieldVelocity | fieldSpin);
+  } catch (...) {
+    motNow_ = now;
+    throw;
+  }
+  motNow_ = now;
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::downloadHistory(ContactHistory &history)
+{
+  history.offset.assign(count_ + 1, 0);
+  history.partner.clear();
+  history.spring.clear();
+  if (!count_ || !scene_.pair.hasHistory()) return;
+  if (!storeFresh_) extractSprings();
+
+  std::vector<std::uint32_t> offset(count_ + 1), host(count_);
+  exec_.copyOut(offset.data(), storeOffset_.data(), offset.size());
+  exec_.copyOut(host.data(), hostIndex_.data(), count_);
+  const std::size_t contacts = offset[count_];
+  std::vector<std::int32_t> partner(contacts);
+  std::vector<Real> spring(3 * contacts);
+  exec_.copyOut(partner.data(), storePartner_.data(), contacts);
+  exec_.copyOut(spring.data(), storeSpring_.data(), 3 * contacts);
+
+  for (std::uint32_t i = 0; i < count_; ++i) history.offset[host[i] + 1] = offset[i + 1] - offset[i];
+  for (std::uint32_t h = 0; h < count_; ++h) history.offset[h + 1] += history.offset[h];
+  history.partner.resize(contacts);
+  history.spring.resize(3 * contacts);
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    std::size_t to = history.offset[host[i]];
+    for (std::size_t m = offset[i]; m < offset[i + 1]; ++m, ++to) {
+      history.partner[to] = partner[m];
+      for (int d = 0; d < 3; ++d) history.spring[3 * to + d] = static_cast<double>(spring[3 * m + d]);
+    }
+  }
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::uploadWallHistory(int wall, const double *spring)
+{
+  if (!count_ || !wallSpring_[wall].capacity()) return;
+  exec_.forEach(count_, ImportValues<Vec3<double>, Vec3<Real>>{
+                            stageIn(reinterpret_cast<const Vec3<double> *>(spring), count_), hostIndex_.data(),
+                            wallSpring_[wall].data()});
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::downloadWallHistory(int wall, double *spring)
+{
+  if (!count_ || !wallSpring_[wall].capacity()) return;
+  Vec3<double> *out = stageOut<Vec3<double>>(count_);
+  exec_.forEach(count_, ExportValues<Vec3<Real>, Vec3<double>>{wallSpring_[wall].data(), hostIndex_.data(), out});
+  exec_.copyOut(reinterpret_cast<Vec3<double> *>(spring), out, count_);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::downloadWallContacts(int wall, double *columns)
+{
+  if (!count_ || !wallContacts_[wall].capacity()) return;
+  double *out = stageOut<double>(8 * static_cast<std::size_t>(count_));
+  exec_.forEach(count_, ExportContacts<Real>{count_, wallContacts_[wall].data(), hostIndex_.data(), out});
+  exec_.copyOut(columns, out, 8 * static_cast<std::size_t>(count_));
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::uploadOrigins(const double *position)
+{
+  if (!count_) return;
+  origin_.reserve(count_);
+  exec_.forEach(count_, ImportValues<Vec3<double>, Vec3<double>>{
+                            stageIn(reinterpret_cast<const Vec3<double> *>(position), count_), hostIndex_.data(),
+                            origin_.data()});
+}
+
+}  // namespace gpudem

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file Placing grains before the rows are built: wrap into the box, cell keys, extents, anchors.
+#pragma once
+
+#include "neighbor/cell_grid.hpp"
+#include "step/step_view.hpp"
+#include "wall/analytic_wall.hpp"
+
+namespace gpudem {
+
+struct BoxView {
+  Vec3<double> lo, hi;
+  bool periodic[3];
+};
+
+/// LAMMPS' packed image flags, 10 bits each (imageint of 32 bits).
+GPUDEM_HD int shiftImage(int image, int d, int by)
+{
+  const int low = 10 * d;
+  const int flag = (image >> low) & 1023;
+  return (image & ~(1023 << low)) | (((flag + by) & 1023) << low);
+}
+
+/// New cell of each grain; wraps the image flags. Fixed-point positions need no change.
+template <class P>
+struct PlaceGrains {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  PositionArrays position;
+  const std::uint32_t *cell;
+  CellGrid oldGrid, newGrid;
+  Frame frame;
+  BoxView box;
+  int *image;
+  std::uint32_t *key;
+
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    Vec3<double> x = absolutePosition(loadPosition<P>(position, i), cell[i], oldGrid, frame);
+    for (int d = 0; d < 3; ++d) {
+      if (!box.periodic[d]) continue;
+      const double length = box.hi[d] - box.lo[d];
+      const int crossed = static_cast<int>(floor((x[d] - box.lo[d]) / length));
+      if (crossed == 0) continue;
+      x[d] -= crossed * length;
+      image[i] = shiftImage(image[i], d, crossed);
+    }
+    key[i] = newGrid.cellOf(x);
+  }
+};
+
+struct ExtentSum {
+  double lo[3], hi[3];
+  long long outside;
+};
+struct JoinExtents {
+  GPUDEM_HD ExtentSum operator()(const ExtentSum &a, const ExtentSum &b) const
+  {
+    ExtentSum r;
+    for (int d = 0; d < 3; ++d) {
+      r.lo[d] = a.lo[d] < b.lo[d] ? a.lo[d] : b.lo[d];
+      r.hi[d] = a.hi[d] > b.hi[d] ? a.hi[d] : b.hi[d];
+    }
+    r.outside = a.outside + b.outside;
+    return r;
+  }
+};
+template <class P>
+struct GrainExtent {
+  PositionArrays position;
+  const std::uint32_t *cell;
+  CellGrid grid;
+  Frame frame;
+  BoxView box;
+  GPUDEM_HD ExtentSum operator()(std::uint32_t i) const
+  {
+    const Vec3<double> x = absolutePosition(loadPosition<P>(position, i), cell[i], grid, frame);
+    ExtentSum r{{x.x, x.y, x.z}, {x.x, x.y, x.z}, 0};
+    for (int d = 0; d < 3; ++d)
+      if (!box.periodic[d] && !(x[d] >= box.lo[d] && x[d] < box.hi[d])) r.outside = 1;
+    return r;
+  }
+};
+
+/// First and one-past-last grain of each occupied cell, from sorted keys.
+struct CellRanges {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  const std::uint32_t *key;
+  std::uint32_t count;
+  std::uint32_t *first, *end;   ///< [cells], zero where the cell is empty
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    if (i == 0 || key[i - 1] != key[i]) first[key[i]] = i;
+    if (i + 1 == count || key[i + 1] != key[i]) end[key[i]] = i + 1;
+  }
+};
+
+template <class T>
+struct Gather {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  const std::uint32_t *from;
+  const T *in;
+  T *out;
+  GPUDEM_HD void operator()(std::uint32_t i) const { out[i] = in[from[i]]; }
+};
+
+/// Quantised position and near-wall bit; springs of walls out of reach are forgotten.
+template <class P>
+struct SetAnchors {
+  using Real = typename P::Real;
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  PositionArrays position;
+  const Motion<Real> *motion;
+  const std::uint32_t *cell;
+  CellGrid grid;
+  Frame frame;
+  AnchorRule rule;
+  double skin;
+  int walls;
+  WallView<Real> wall[maxWalls];
+  double wallLoReach[maxWalls], wallHiReach[maxWalls];  ///< how far a wiggling plane moves up and down
+  std::uint32_t *anchor;
+
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    const CoarsePosition c = position.coarse[i];
+    std::uint32_t a = ((c.x >> rule.shiftX) & 1023u) | ((c.y >> rule.shiftY) & 1023u) << 10 |
+        ((c.z >> rule.shiftZ) & 1023u) << 20;
+    if (walls > 0) {
+      const FixedPosition<P> p = loadPosition<P>(position, i);
+      const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
+      const std::uint32_t mask = motion[i].mask;
+      for (int w = 0; w < walls; ++w) {
+        if ((mask & wall[w].groupMask) && within(w, x, p.radius + 0.5 * skin)) a |= nearWallBit;
+      }
+      if (!(a & nearWallBit))
+        for (int w = 0; w < walls; ++w)
+          if (wall[w].spring) wall[w].spring[i] = {Real(0), Real(0), Real(0)};
+    }
+    anchor[i] = a;
+  }
+
+ private:
+  GPUDEM_HD bool within(int w, const Vec3<double> &x, double reach) const
+  {
+    const WallView<Real> &v = wall[w];
+    if (v.shape == WallShape::Cylinder) {
+      const double rho = squareRoot(x.x * x.x + x.y * x.y);
+      return absolute(v.radius - rho) <= reach;
+    }
+    const double z = x[v.axis];
+    const bool nearLo = z - (v.lo + wallHiReach[w]) <= reach && (v.lo + wallLoReach[w]) - z <= reach;
+    const bool nearHi = (v.hi + wallLoReach[w]) - z <= reach && z - (v.hi + wallHiReach[w]) <= reach;
+    return nearLo || nearHi;
+  }
+};
+
+}  // namespace gpudem

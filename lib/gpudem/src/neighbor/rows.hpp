@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file Building the neighbour rows: keys, counts, entries, and the springs carried into them.
+#pragma once
+
+#include "neighbor/cell_grid.hpp"
+#include "step/step_view.hpp"
+
+namespace gpudem {
+
+/// neigh_modify exclude, as tests on group bits and a table of type pairs.
+struct ExclusionView {
+  int groups;
+  std::uint32_t groupA[maxGroupExclusions], groupB[maxGroupExclusions];
+  const std::uint8_t *typeTable;   ///< [(types+1)^2], null if no type is excluded
+  int types;
+
+  GPUDEM_HD bool excluded(std::uint32_t maskI, std::uint32_t maskJ, int typeI, int typeJ) const
+  {
+    for (int g = 0; g < groups; ++g)
+      if (((maskI & groupA[g]) && (maskJ & groupB[g])) || ((maskI & groupB[g]) && (maskJ & groupA[g]))) return true;
+    return typeTable && typeTable[typeI * (types + 1) + typeJ];
+  }
+};
+
+/// Springs of all contacts as compressed rows in the order of the grains before a rebuild.
+template <class Real>
+struct ContactStore {
+  const std::uint32_t *offset;   ///< [n+1]
+  const std::int32_t *partner;   ///< tag of the partner
+  const Real *spring;            ///< [contacts][3]
+};
+
+template <class P>
+struct BuildView {
+  using Real = typename P::Real;
+  std::uint32_t count;
+  PositionArrays position;
+  const Motion<Real> *motion;
+  const int *type;
+  const std::int32_t *tag;
+  const std::uint32_t *cell;        ///< [n] sorted
+  const std::uint32_t *cellFirst, *cellEnd;   ///< [cells]
+  CellGrid grid;
+  Frame frame;
+  float skin;
+  float reachSlack;
+  ExclusionView exclude;
+};
+
+/// Call visit(j) for every grain j != i in the cells around i that lies within the coarse reach.
+template <class P, class Visit>
+GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
+{
+  const CoarsePosition p = v.position.coarse[i];
+  const std::uint32_t mask = v.motion[i].mask;
+  const Vec3<int> c = v.grid.coordinates(v.cell[i]);
+  const float ux = static_cast<float>(v.frame.unit32.x), uy = static_cast<float>(v.frame.unit32.y),
+              uz = static_cast<float>(v.frame.unit32.z);
+  const bool anyExclusion = v.exclude.groups > 0 || v.exclude.typeTable != nullptr;
+  int x0, x1, y0, y1, z0, z1;
+  neighbourRange(v.grid.nx, v.grid.wrapX, c.x, x0, x1);
+  neighbourRange(v.grid.ny, v.grid.wrapY, c.y, y0, y1);
+  neighbourRange(v.grid.nz, v.grid.wrapZ, c.z, z0, z1);
+  for (int oz = z0; oz <= z1; ++oz)
+    for (int oy = y0; oy <= y1; ++oy)
+      for (int ox = x0; ox <= x1; ++ox) {
+        const std::uint32_t cell = v.grid.index(wrapCell(c.x + ox, v.grid.nx), wrapCell(c.y + oy, v.grid.ny),
+                                                wrapCell(c.z + oz, v.grid.nz));
+        const std::uint32_t end = v.cellEnd[cell];
+        for (std::uint32_t j = v.cellFirst[cell]; j < end; ++j) {
+          const CoarsePosition q = v.position.coarse[j];
+          const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - q.x)) * ux;
+          const float dy = static_cast<float>(static_cast<std::int32_t>(p.y - q.y)) * uy;
+          const float dz = static_cast<float>(static_cast<std::int32_t>(p.z - q.z)) * uz;
+          const float reach = (p.radius + q.radius) * 1.000001f + v.skin + v.reachSlack;
+          if (dx * dx + dy * dy + dz * dz >= reach * reach || j == i) continue;
+          if (anyExclusion && v.exclude.excluded(mask, v.motion[j].mask, v.type[i], v.type[j])) continue;
+          visit(j);
+        }
+      }
+}
+
+template <class P>
+struct CountNeighbors {
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = 8;
+  BuildView<P> v;
+  std::uint32_t *out;   ///< [n]
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    std::uint32_t n = 0;
+    forEachNeighbor(v, i, [&](std::uint32_t) { ++n; });
+    out[i] = n;
+  }
+};
+
+/// Width and touch words of each slice from the lengths of its rows.
+template <int W>
+struct SliceWidths {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  std::uint32_t count;
+  const std::uint32_t *length;
+  std::uint32_t *entries, *words;   ///< [slices]
+  GPUDEM_HD void operator()(std::uint32_t slice) const
+  {
+    std::uint32_t widest = 0;
+    for (std::uint32_t i = slice * W; i < (slice + 1) * W && i < count; ++i)
+      widest = length[i] > widest ? length[i] : widest;
+    entries[slice] = widest * W;
+    words[slice] = (widest + 31) / 32 * W;
+  }
+};
+
+/// Write the rows, touching neighbours first, and put each carried spring into its entry.
+template <class P, bool history, int W>
+struct FillRows {
+  using Real = typename P::Real;
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = 4;
+  BuildView<P> v;
+  const std::uint32_t *start, *maskStart, *length;
+  std::uint32_t *neighbor;
+  std::uint32_t *touch;
+  Real *spring;
+  ContactStore<Real> store;
+  const std::uint32_t *oldIndex;    ///< [n] row of each grain in the store
+
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    const std::uint32_t slice = i / W, lane = i % W;
+    const std::uint32_t base = start[slice] + lane;
+    std::uint32_t *word = history ? touch + maskStart[slice] + lane : nullptr;
+    std::uint32_t from = 0, to = 0;
+    if (history) {
+      const std::uint32_t words = (length[i] + 31) / 32;
+      for (std::uint32_t w = 0; w < words; ++w) word[w * W] = 0;
+      from = store.offset[oldIndex[i]];
+      to = store.offset[oldIndex[i] + 1];
+    }
+    const FixedPosition<P> p = loadPosition<P>(v.position, i);
+    std::uint32_t front = 0, back = length[i];
+    forEachNeighbor(v, i, [&](std::uint32_t j) {
+      const FixedPosition<P> q = loadPosition<P>(v.position, j);
+      const Vec3<double> d = separation(p, q, v.frame);
+      const double reach = p.radius + q.radius;
+      if (dot(d, d) < reach * reach) {
+        const std::uint32_t k = front++;
+        neighbor[base + k * W] = j;
+        if (history) carry(k, base, word, v.tag[j], from, to);
+      } else {
+        neighbor[base + (--back) * W] = j;
+      }
+    });
+  }
+
+ private:
+  GPUDEM_HD void carry(std::uint32_t k, std::uint32_t base, std::uint32_t *word, std::int32_t tag,
+                       std::uint32_t from, std::uint32_t to) const
+  {
+    for (std::uint32_t m = from; m < to; ++m) {
+      if (store.partner[m] != tag) continue;
+      Real *slot = spring + 3 * static_cast<std::size_t>(base + k * W);
+      for (int d = 0; d < 3; ++d) slot[d] = store.spring[3 * static_cast<std::size_t>(m) + d];
+      word[(k / 32) * W] |= 1u << (k % 32);
+      return;
+    }
+  }
+};
+
+/// Number of springs in each row.
+template <class Real, int W>
+struct CountSprings {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  RowView<Real> rows;
+  std::uint32_t *out;   ///< [n]
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    const std::uint32_t *word = rows.touch + rows.maskStart[i / W] + i % W;
+    const std::uint32_t words = (rows.count[i] + 31) / 32;
+    std::uint32_t n = 0;
+    for (std::uint32_t w = 0; w < words; ++w) n += static_cast<std::uint32_t>(bitCount(word[w * W]));
+    out[i] = n;
+  }
+};
+
+/// Copy the springs out of the rows.
+template <class Real, int W>
+struct ExtractSprings {
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = 1;
+  RowView<Real> rows;
+  const std::int32_t *tag;
+  const std::uint32_t *offset;
+  std::int32_t *partner;
+  Real *spring;
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    const std::uint32_t slice = i / W, lane = i % W;
+    const std::uint32_t *word = rows.touch + rows.maskStart[slice] + lane;
+    const std::uint32_t words = (rows.count[i] + 31) / 32;
+    std::uint32_t to = offset[i];
+    for (std::uint32_t w = 0; w < words; ++w)
+      for (std::uint32_t bits = word[w * W]; bits; bits &= bits - 1) {
+        const std::uint32_t k = w * 32 + static_cast<std::uint32_t>(lowestBit(bits));
+        const std::size_t entry = rows.start[slice] + lane + static_cast<std::size_t>(k) * W;
+        partner[to] = tag[rows.neighbor[entry]];
+        for (int d = 0; d < 3; ++d) spring[3 * static_cast<std::size_t>(to) + d] = rows.spring[3 * entry + d];
+        ++to;
+      }
+  }
+};
+
+}  // namespace gpudem

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The ordered per-grain force terms: LAMMPS' post_force fixes, applied in the order of the script.
+#pragma once
+
+#include "step/step_view.hpp"
+#include "wall/analytic_wall.hpp"
+
+namespace gpudem {
+
+/// \param walls    false removes all wall code from the kernel
+/// \param nearWall the grain was within reach of a wall when the rows were built
+template <bool walls, class P>
+GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const FixedPosition<P> &p, bool nearWall,
+                               Motion<typename P::Real> &m, Vec3<typename P::Real> &force,
+                               Vec3<typename P::Real> &torque)
+{
+  using Real = typename P::Real;
+  for (int k = 0; k < s.terms; ++k) {
+    const TermView<Real> &term = s.term[k];
+    if (!(m.mask & term.groupMask)) {
+      if (term.before) term.before[i] = {Real(0), Real(0), Real(0)};
+      continue;
+    }
+    if (term.before) term.before[i] = force;
+    switch (term.kind) {
+      case ForceTermKind::Gravity:
+        force += term.value * m.mass;
+        break;
+      case ForceTermKind::Viscous:
+        force -= Vec3<Real>{m.vx, m.vy, m.vz} * term.dragPerType[s.type[i]];
+        break;
+      case ForceTermKind::SetForce:
+        if (term.prescribed & 1) force.x = term.value.x;
+        if (term.prescribed & 2) force.y = term.value.y;
+        if (term.prescribed & 4) force.z = term.value.z;
+        break;
+      case ForceTermKind::Freeze:
+        force = {Real(0), Real(0), Real(0)};
+        torque = {Real(0), Real(0), Real(0)};
+        break;
+      case ForceTermKind::Enforce2d:
+        force.z = Real(0);
+        torque.x = torque.y = Real(0);
+        m.vz = m.wx = m.wy = Real(0);
+        break;
+      case ForceTermKind::Wall:
+        if (walls && nearWall) {
+          const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame);
+          const ContactForce<Real> c = wallForce(s.wall[term.wall], i, s.count, x, p.radius, m, s.dt,
+                                                 s.advanceSprings);
+          force += c.force;
+          torque -= c.couple * static_cast<Real>(p.radius);
+        }
+        break;
+    }
+  }
+}
+
+}  // namespace gpudem

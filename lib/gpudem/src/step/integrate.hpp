@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file Velocity Verlet of LAMMPS split into its two halves, for one grain.
+///
+/// finishing: v_n = v_(n-1/2) + dt/2 f_n/m; beginning: v_(n+1/2) = v_n + dt/2 f_n/m, x_(n+1) = x_n + dt v_(n+1/2)
+/// (Swope et al., J. Chem. Phys. 76 (1982) 637); spins alike with the moment of inertia. Prescribed motion
+/// (fix move) replaces both.
+#pragma once
+
+#include "step/step_view.hpp"
+
+namespace gpudem {
+
+template <class P>
+GPUDEM_HD typename P::Fixed advance(typename P::Fixed x, typename P::Real distance, double inverseUnit)
+{
+  return x + static_cast<typename P::Fixed>(roundToInt(distance * static_cast<typename P::Real>(inverseUnit)));
+}
+
+/// The second half kick.
+template <class P>
+GPUDEM_HD void finishGrain(const StepView<P> &s, double radius, const Vec3<typename P::Real> &force,
+                           const Vec3<typename P::Real> &torque, Motion<typename P::Real> &m)
+{
+  using Real = typename P::Real;
+  const Real half = static_cast<Real>(s.halfKick);
+  for (int k = 0; k < s.integrators; ++k) {
+    const IntegratorView &it = s.integrator[k];
+    if (!(m.mask & it.groupMask) || it.kind == IntegratorKind::Rotate) continue;
+    const Real perMass = half / m.mass;
+    const int fixed = it.kind == IntegratorKind::Prescribed ? it.prescribed : 0;
+    if (!(fixed & 1)) m.vx += perMass * force.x;
+    if (!(fixed & 2)) m.vy += perMass * force.y;
+    if (!(fixed & 4)) m.vz += perMass * force.z;
+    if (it.kind == IntegratorKind::NveSphere) {
+      const Real r = static_cast<Real>(radius);
+      const Real perInertia = static_cast<Real>(s.halfKick / it.inertia) / (r * r * m.mass);
+      m.wx += perInertia * torque.x;
+      m.wy += perInertia * torque.y;
+      m.wz += perInertia * torque.z;
+    }
+  }
+}
+
+/// Rotation of the original position about an axis (fix move rotate).
+GPUDEM_HD void rotateGrain(const IntegratorView &it, const Vec3<double> &origin, Vec3<double> &x, Vec3<double> &v)
+{
+  const Vec3<double> d = origin - it.point;
+  const Vec3<double> along = it.axis * dot(d, it.axis);
+  const Vec3<double> a = d - along;
+  const Vec3<double> b = cross(it.axis, a);
+  const Vec3<double> arm = a * it.cosine + b * it.sine;
+  x = it.point + along + arm;
+  v = cross(it.axis, arm) * it.angularFrequency;
+}
+
+/// The first half kick and the drift. \return whether any integrator moved the grain
+template <class P>
+GPUDEM_HD bool beginGrain(const StepView<P> &s, std::uint32_t i, const Vec3<typename P::Real> &force,
+                          const Vec3<typename P::Real> &torque, FixedPosition<P> &p, Motion<typename P::Real> &m)
+{
+  using Real = typename P::Real;
+  using Fixed = typename P::Fixed;
+  const Real half = static_cast<Real>(s.halfKick);
+  const double unitBits = P::fine ? 18446744073709551616.0 : 4294967296.0;
+  bool moved = false;
+  for (int k = 0; k < s.integrators; ++k) {
+    const IntegratorView &it = s.integrator[k];
+    if (!(m.mask & it.groupMask)) continue;
+    moved = true;
+    if (it.kind == IntegratorKind::Rotate) {
+      Vec3<double> x, v;
+      rotateGrain(it, s.origin[i], x, v);
+      p.x = narrow<Fixed>(toFraction(x.x, s.frame.origin.x, s.frame.inverse.x));
+      p.y = narrow<Fixed>(toFraction(x.y, s.frame.origin.y, s.frame.inverse.y));
+      p.z = narrow<Fixed>(toFraction(x.z, s.frame.origin.z, s.frame.inverse.z));
+      m.vx = static_cast<Real>(v.x);
+      m.vy = static_cast<Real>(v.y);
+      m.vz = static_cast<Real>(v.z);
+      m.wx = static_cast<Real>(it.angularFrequency * it.axis.x);
+      m.wy = static_cast<Real>(it.angularFrequency * it.axis.y);
+      m.wz = static_cast<Real>(it.angularFrequency * it.axis.z);
+      continue;
+    }
+    const Real perMass = half / m.mass;
+    const int fixed = it.kind == IntegratorKind::Prescribed ? it.prescribed : 0;
+    if (fixed & 1) {
+      m.vx = static_cast<Real>(it.velocity.x);
+      p.x = narrow<Fixed>(toFraction(s.origin[i].x + it.displacement.x, s.frame.origin.x, s.frame.inverse.x));
+    } else {
+      m.vx += perMass * force.x;
+      p.x = advance<P>(p.x, s.dt * m.vx, s.frame.inverse.x * unitBits);
+    }
+    if (fixed & 2) {
+      m.vy = static_cast<Real>(it.velocity.y);
+      p.y = narrow<Fixed>(toFraction(s.origin[i].y + it.displacement.y, s.frame.origin.y, s.frame.inverse.y));
+    } else {
+      m.vy += perMass * force.y;
+      p.y = advance<P>(p.y, s.dt * m.vy, s.frame.inverse.y * unitBits);
+    }
+    if (fixed & 4) {
+      m.vz = static_cast<Real>(it.velocity.z);
+      p.z = narrow<Fixed>(toFraction(s.origin[i].z + it.displacement.z, s.frame.origin.z, s.frame.inverse.z));
+    } else {
+      m.vz += perMass * force.z;
+      p.z = advance<P>(p.z, s.dt * m.vz, s.frame.inverse.z * unitBits);
+    }
+    if (it.kind == IntegratorKind::NveSphere) {
+      const Real r = static_cast<Real>(p.radius);
+      const Real perInertia = static_cast<Real>(s.halfKick / it.inertia) / (r * r * m.mass);
+      m.wx += perInertia * torque.x;
+      m.wy += perInertia * torque.y;
+      m.wz += perInertia * torque.z;
+    }
+  }
+  return moved;
+}
+
+/// Coordinate minus the middle of the anchor's quantum, in coarse units.
+GPUDEM_HD float anchorDistance(std::uint32_t now, std::uint32_t kept, int shift)
+{
+  const int spare = 22 - shift;
+  const std::int32_t wrapped = static_cast<std::int32_t>((now - (kept << shift)) << spare) >> spare;
+  return static_cast<float>(wrapped) - 0.5f * static_cast<float>(1u << shift);
+}
+
+/// Raise the alarm when a grain moved too far since the rows were built, or in this step, or lost its value.
+template <class P>
+GPUDEM_HD void watchDisplacement(const StepView<P> &s, std::uint32_t i, std::uint32_t anchor,
+                                 const CoarsePosition &now, const Motion<typename P::Real> &m)
+{
+  using Real = typename P::Real;
+  const AnchorRule &rule = s.anchorRule;
+  const float ux = static_cast<float>(s.frame.unit32.x), uy = static_cast<float>(s.frame.unit32.y),
+              uz = static_cast<float>(s.frame.unit32.z);
+  const float step2 = static_cast<float>((m.vx * m.vx + m.vy * m.vy + m.vz * m.vz) * s.dt * s.dt);
+  const Real sum = m.vx + m.vy + m.vz + m.wx + m.wy + m.wz;
+  const bool broken = !(step2 <= rule.lost2) || sum - sum != Real(0);
+
+  // the anchor keeps 10 bits: wrap the difference to shift + 10 bits and measure from the quantum's middle
+  const float dx = anchorDistance(now.x, anchor & 1023u, rule.shiftX) * ux;
+  const float dy = anchorDistance(now.y, (anchor >> 10) & 1023u, rule.shiftY) * uy;
+  const float dz = anchorDistance(now.z, (anchor >> 20) & 1023u, rule.shiftZ) * uz;
+  const bool spent = dx * dx + dy * dy + dz * dz > rule.limit2 || step2 > rule.stepLimit2;
+
+  if (spent || broken) atomicLower(&s.status->lastAllowed, s.sequence);
+  if (broken) atomicLower(&s.status->badParticle, i);
+}
+
+}  // namespace gpudem

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file Everything one launch of the step reads and writes: the kernels' only parameter.
+#pragma once
+
+#include "base/particle.hpp"
+#include "contact/spring_dashpot.hpp"
+#include "neighbor/cell_grid.hpp"
+#include "gpudem/scene.h"
+
+namespace gpudem {
+
+/// Progress and alarms, shared by host and device.
+struct Status {
+  std::uint32_t lastAllowed;   ///< launches with a larger sequence number do nothing
+  std::uint32_t badParticle;   ///< smallest device index with a broken state, noParticle if none
+};
+constexpr std::uint32_t noParticle = 0xffffffffu;
+constexpr std::uint32_t noLimit = 0xffffffffu;
+
+/// Neighbour rows in slices of W grains (W = 32 on the GPU, 1 on the CPU): entry k of grain i lies at
+/// start[i / W] + k * W + i % W. A row lists each neighbour within the sum of radii plus the skin, on
+/// both sides of the pair; grains that touched when the rows were built come first.
+template <class Real>
+struct RowView {
+  const std::uint32_t *start;      ///< [slices] first entry of the slice
+  const std::uint32_t *maskStart;  ///< [slices] first touch word of the slice
+  const std::uint32_t *count;      ///< [n] entries of the row
+  const std::uint32_t *neighbor;   ///< [entries] device index
+  std::uint32_t *touch;            ///< [words] bit k: entry holds a spring (history laws only)
+  Real *spring;                    ///< [entries][3] tangential spring (distance)
+};
+
+/// Displacement since the rows were built, from 10 bits per coordinate of the position at that time.
+struct AnchorRule {
+  int shiftX, shiftY, shiftZ;     ///< the bits kept are [shift, shift + 10) of the coarse coordinate
+  float limit2;                   ///< squared displacement that is still safe (distance^2)
+  float stepLimit2;               ///< squared displacement of one step that is still safe (distance^2)
+  float lost2;                    ///< squared displacement of one step beyond which the state is broken
+};
+constexpr std::uint32_t nearWallBit = 1u << 30;
+
+/// State of a wall at the step being evaluated.
+template <class Real>
+struct WallView {
+  LawCoefficients<Real> law;
+  NormalModel normal;
+  TangentialModel tangential;
+  WallShape shape;
+  int axis;
+  double lo, hi, radius;          ///< current positions (distance)
+  Vec3<double> velocity;          ///< of the surface (distance/time)
+  double tangentialSpeed;         ///< of a turning cylinder (distance/time)
+  std::uint32_t groupMask;
+  Vec3<Real> *spring;             ///< [n], null without history
+  Real *contacts;                 ///< [8][n], null unless recorded
+};
+
+template <class Real>
+struct TermView {
+  ForceTermKind kind;
+  std::uint32_t groupMask;
+  Vec3<Real> value;
+  int prescribed;                 ///< bits 0..2: components set
+  int wall;
+  const Real *dragPerType;
+  Vec3<Real> *before;             ///< [n] force before the term, null unless recorded
+};
+
+/// One integrator at the step being finished and the one being begun.
+struct IntegratorView {
+  IntegratorKind kind;
+  std::uint32_t groupMask;
+  double inertia;
+  int prescribed;                 ///< bits 0..2
+  Vec3<double> displacement;      ///< Prescribed: from the origin at the coming step (distance)
+  Vec3<double> velocity;          ///< Prescribed: at the coming step (distance/time)
+  Vec3<double> point, axis;       ///< Rotate
+  double cosine, sine, angularFrequency;  ///< Rotate, at the coming step
+};
+
+template <class P>
+struct StepView {
+  using Real = typename P::Real;
+
+  std::uint32_t count;
+  std::uint32_t sequence;         ///< number of this launch since the last flush
+  Status *status;
+
+  PositionArrays in, out;
+  const Motion<Real> *motionIn;
+  Motion<Real> *motionOut;
+
+  RowView<Real> rows;
+  const std::uint32_t *anchor;    ///< [n] quantised position at the last rebuild and the near-wall bit
+  AnchorRule anchorRule;
+  Frame frame;
+  float reachSlack;               ///< added to a sum of radii so that the coarse test misses no contact
+
+  LawCoefficients<Real> law;
+  std::uint32_t frozenMask;
+  Real dt;
+  double halfKick;
+  bool advanceSprings;
+
+  int terms, integrators;
+  TermView<Real> term[maxTerms];
+  WallView<Real> wall[maxWalls];
+  IntegratorView integrator[maxIntegrators];
+
+  const std::uint32_t *cell;      ///< [n] cell at the last rebuild
+  CellGrid grid;
+  const int *type;                ///< [n]
+  const Vec3<double> *origin;     ///< [n] original positions of prescribed motion
+
+  Vec3<Real> *force, *torque;     ///< [n] written at events, read by the split kernels
+  Real *virial;                   ///< [6][n] or null
+  bool finish;                    ///< event: apply the second half kick
+};
+
+}  // namespace gpudem

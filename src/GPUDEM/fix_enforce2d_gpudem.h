@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+#ifndef LMP_FIX_ENFORCE2D_GPUDEM_H
+#define LMP_FIX_ENFORCE2D_GPUDEM_H
+
+#include "fix_enforce2d.h"
+#include "resident.h"
+
+namespace LAMMPS_NS {
+
+/// fix enforce2d/gpudem
+class FixEnforce2DGpudem : public FixEnforce2D, public ResidentFix {
+ public:
+  FixEnforce2DGpudem(class LAMMPS *lmp, int narg, char **arg);
+  void post_constructor() override { keepStockName(this, word.c_str()); }
+  void post_force(int vflag) override;
+  ResidentVerdict resident() override;
+  void describe(gpudem::SceneSpec &scene) override;
+
+ private:
+  std::string word;   ///< style as the script spells it
+};
+
+}  // namespace LAMMPS_NS
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+#include "lammps_compat.h"
+
+using namespace LAMMPS_NS;
+
+// Explicit instantiation may name private members ([temp.spec.general] of the C++ standard), which is how a
+// plugin can read lists for which LAMMPS offers no accessor without touching LAMMPS' sources.
+namespace {
+template <class Tag, typename Tag::type member>
+struct Expose {
+  friend typename Tag::type reach(Tag) { return member; }
+};
+#define GPUDEM_EXPOSE(tag, owner, member_type, member) \
+  struct tag {                                          \
+    using type = member_type owner::*;                  \
+    friend type reach(tag);                             \
+  };                                                    \
+  template struct Expose<tag, &owner::member>
+
+GPUDEM_EXPOSE(ThermoComputeCount, Thermo, int, ncompute);
+GPUDEM_EXPOSE(ThermoComputes, Thermo, Compute **, computes);
+GPUDEM_EXPOSE(ThermoFixCount, Thermo, int, nfix);
+GPUDEM_EXPOSE(ThermoFixes, Thermo, Fix **, fixes);
+GPUDEM_EXPOSE(ThermoVariableCount, Thermo, int, nvariable);
+GPUDEM_EXPOSE(ThermoVariables, Thermo, char **, id_variable);
+GPUDEM_EXPOSE(VariableData, Variable, char ***, data);
+#undef GPUDEM_EXPOSE
+}  // namespace
+
+GpudemCompat::ThermoInputs GpudemCompat::thermoInputs(Thermo *thermo)
+{
+  ThermoInputs in;
+  for (int k = 0; k < thermo->*reach(ThermoComputeCount{}); ++k)
+    in.computes.push_back((thermo->*reach(ThermoComputes{}))[k]);
+  for (int k = 0; k < thermo->*reach(ThermoFixCount{}); ++k) in.fixes.push_back((thermo->*reach(ThermoFixes{}))[k]);
+  for (int k = 0; k < thermo->*reach(ThermoVariableCount{}); ++k)
+    in.variables.emplace_back((thermo->*reach(ThermoVariables{}))[k]);
+  return in;
+}
+
+std::string GpudemCompat::equalFormula(Variable *variable, int index)
+{
+  if (!variable->equalstyle(index) || variable->internalstyle(index)) return "";
+  char **data = (variable->*reach(VariableData{}))[index];
+  return data && data[0] ? data[0] : "";
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The only place that knows LAMMPS versions, and the only one that looks behind LAMMPS' access labels.
+///
+/// Written against 29 Sep 2021 (Update 2). Entries for later versions cite the dated list in
+/// LAMMPS' doc/src/Developer_updating.rst.
+#ifndef LMP_GPUDEM_LAMMPS_COMPAT_H
+#define LMP_GPUDEM_LAMMPS_COMPAT_H
+
+#include "thermo.h"
+#include "variable.h"
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#ifndef GPUDEM_LAMMPS_VERSION
+#error "the build must define GPUDEM_LAMMPS_VERSION (yyyymmdd) from LAMMPS' version.h"
+#endif
+#if GPUDEM_LAMMPS_VERSION < 20210929 || GPUDEM_LAMMPS_VERSION > 20211231
+#error "this version of GPUDEM supports LAMMPS 29 Sep 2021 only"
+#endif
+
+namespace LAMMPS_NS {
+class Compute;
+class Fix;
+
+namespace GpudemCompat {
+
+/// What thermodynamic output will call; LAMMPS keeps these lists private.
+struct ThermoInputs {
+  std::vector<Compute *> computes;
+  std::vector<Fix *> fixes;
+  std::vector<std::string> variables;
+};
+ThermoInputs thermoInputs(Thermo *thermo);
+
+/// Formula of an equal-style variable, empty if \p index is of another style.
+std::string equalFormula(Variable *variable, int index);
+
+}  // namespace GpudemCompat
+}  // namespace LAMMPS_NS
+#endif

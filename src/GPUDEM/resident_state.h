@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The resident particles seen from LAMMPS: who holds the valid copy of which field, and the copies.
+#ifndef LMP_GPUDEM_RESIDENT_STATE_H
+#define LMP_GPUDEM_RESIDENT_STATE_H
+
+#include "gpudem/engine.h"
+#include "pointers.h"
+#include "resident_plan.h"
+
+#include <array>
+#include <memory>
+
+namespace LAMMPS_NS {
+
+class ResidentState : protected Pointers {
+ public:
+  explicit ResidentState(class LAMMPS *lmp) : Pointers(lmp) {}
+
+  /// Make or keep the engine that the settings ask for.
+  void prepareEngine();
+  gpudem::Engine &engine() { return *engine_; }
+
+  /// Everything from the host: particles, springs, walls, origins. Rows are not built.
+  void uploadAll(const ResidentPlan &plan);
+  /// Everything to the host that is out of date there.
+  void downloadAll(const ResidentPlan &plan);
+  void downloadContacts(const ResidentPlan &plan);
+  void downloadWalls(const ResidentPlan &plan);
+
+  /// Bring \p fields up to date on the host.
+  void toHost(unsigned fields);
+  /// Send what the host changed to the device. \return true if rows must be rebuilt
+  bool toDevice();
+  /// The device advanced: its fields are newer than the host's.
+  void deviceMoved(unsigned fields = gpudem::fieldDynamic);
+  void contactsMoved() { contactsStale_ = true; }
+  void hostChanged(unsigned fields) { deviceStale_ |= fields; }
+  /// Run \p work on the host with every field valid; what it changed goes back with the next toDevice().
+  template <class Work>
+  void hostSection(const Work &work)
+  {
+    toHost(gpudem::fieldDynamic);
+    const Fingerprints before = fingerprints();
+    work();
+    noteChanges(before);
+  }
+
+  gpudem::HostParticles host() const;
+  gpudem::Box box() const;
+  double copySeconds() const { return copySeconds_; }
+
+ private:
+  using Fingerprints = std::array<std::uint64_t, 8>;
+  Fingerprints fingerprints() const;
+  void noteChanges(const Fingerprints &before);
+
+  std::unique_ptr<gpudem::Engine> engine_;
+  int settingsVersion_ = -1;
+  unsigned hostStale_ = 0, deviceStale_ = 0;
+  bool contactsStale_ = false;
+  double copySeconds_ = 0.0;
+};
+
+}  // namespace LAMMPS_NS
+#endif

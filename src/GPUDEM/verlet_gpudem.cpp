@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+#include "verlet_gpudem.h"
+
+#include "fix_neigh_history_gpudem.h"
+#include "gpudem_settings.h"
+#include "resident.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix.h"
+#include "force.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "output.h"
+#include "pair.h"
+#include "timer.h"
+#include "update.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+VerletGpudem::VerletGpudem(LAMMPS *lmp, int narg, char **arg) : Verlet(lmp, narg, arg), state(lmp) {}
+
+VerletGpudem::~VerletGpudem() = default;
+
+VerletGpudem *VerletGpudem::active(LAMMPS *lmp)
+{
+  auto *self = dynamic_cast<VerletGpudem *>(lmp->update->integrate);
+  return self && self->onDevice ? self : nullptr;
+}
+
+void VerletGpudem::init()
+{
+  leaveResident();
+  Verlet::init();
+}
+
+double VerletGpudem::memory_usage()
+{
+  return Verlet::memory_usage();
+}
+
+/* ----------------------------------------------------------------------
+   entering and leaving the resident state
+------------------------------------------------------------------------- */
+
+void VerletGpudem::enterResident()
+{
+  for (ResidentFix *fix : plan.fixes) fix->onDevice = true;
+  if (plan.history) {
+    plan.history->enterResident();
+    plan.history->setSynchroniser(this);
+  }
+  onDevice = true;
+  hostListsBuilt = false;
+  sumsStep = -1;
+}
+
+void VerletGpudem::leaveResident()
+{
+  if (!onDevice) return;
+  for (ResidentFix *fix : plan.fixes) fix->onDevice = false;
+  if (plan.history) plan.history->setSynchroniser(nullptr);
+  onDevice = false;
+}
+
+void VerletGpudem::printPlan()
+{
+  if (comm->me != 0 || !gpudemSettings(lmp).verbose) return;
+  std::string block;
+  if (!plan.possible) {
+    block = fmt::format("GPUDEM: not resident, LAMMPS' own loop runs: {}\n", plan.reason);
+  } else {
+    const gpudem::ContactLaw &law = plan.scene.pair;
+    const char *tangential = law.tangential == gpudem::TangentialModel::Spring ? "tangential springs"
+        : law.tangential == gpudem::TangentialModel::Viscous                  ? "viscous friction"
+                                                                              : "no friction";
+    block = fmt::format("GPUDEM resident run\n  device    : {}\n  precision : {}\n  step      : {} contacts, {}, {} "
+                        "walls, {} force terms, {} integrators\n",
+                        state.engine().deviceName(),
+                        state.engine().precision() == gpudem::Precision::Double ? "double" : "mixed",
+                        law.normal == gpudem::NormalModel::Hertz ? "Hertz" : "Hooke", tangential, plan.walls.size(),
+                        plan.scene.terms.size() - plan.walls.size(), plan.scene.integrators.size());
+    std::string skipped;
+    for (const std::string &s : plan.skipped) skipped += (skipped.empty() ? "" : "; ") + s;
+    block += fmt::format("  skipped   : {}\n", skipped.empty() ? "nothing" : skipped);
+    if (plan.onHost.empty()) block += "  on host   : nothing but output\n";
+    for (const std::string &s : plan.onHost) block += fmt::format("  on host   : {}\n", s);
+  }
+  if (block == printed) return;
+  printed = block;
+  utils::logmesg(lmp, block);
+}
+
+/* ----------------------------------------------------------------------
+   setup
+------------------------------------------------------------------------- */
+
+void VerletGpudem::setup(int flag)
+{
+  plan = planResidentRun(lmp);
+  if (plan.possible) {
+    try {
+      state.prepareEngine();
+    } catch (const gpudem::Error &e) {
+      error->all(FLERR, "GPUDEM: {}", e.what());
+    }
+  }
+  printPlan();
+  if (!plan.possible) {
+    Verlet::setup(flag);
+    return;
+  }
+  try {
+    setupResident(flag);
+  } catch (const gpudem::Error &e) {
+    error->all(FLERR, "GPUDEM: {}", e.what());
+  }
+}
+
+void VerletGpudem::setup_minimal(int flag)
+{
+  // rerun and friends set positions from outside at every step: nothing can stay on the device
+  plan = ResidentPlan();
+  plan.reason = "the command sets up without running (rerun, ...)";
+  Verlet::setup_minimal(flag);
+}
+
+void VerletGpudem::setupResident(int flag)
+{
+  if (comm->me == 0 && screen) {
+    fmt::print(screen, "Setting up resident Verlet run ...\n");
+    if (flag) {
+      fmt::print(screen, "  Unit style    : {}\n  Current step  : {}\n  Time step     : {}\n", update->unit_style,
+                 update->ntimestep, update->dt);
+      timer->print_timeout(screen);
+    }
+  }
+  update->setupflag = 1;
+  enterResident();
+
+  atom->setup();
+  modify->setup_pre_exchange();
+  domain->pbc();
+  domain->reset_box();
+  comm->setup();
+  if (neighbor->style) neighbor->setup_bins();
+  comm->exchange();
+  if (atom->sortfreq > 0) atom->sort();
+  if (atom->map_style != Atom::MAP_NONE || plan.hostLists) comm->borders();
+  domain->image_check();
+  domain->box_too_small_check();
+  modify->setup_pre_neighbor();
+  modify->setup_post_neighbor();
+  neighbor->ncalls = neighbor->ndanger = 0;
+
+  state.uploadAll(plan);
+  state.engine().rebuild(state.box());
+  rowsDue = false;
+  lastRebuild = update->ntimestep;
+
+  force->setup();
+  ev_set(update->ntimestep);
+  modify->setup_pre_force(vflag);
+  if (state.toDevice()) state.engine().rebuild(state.box());
+  gpudem::Recording record;
+  record.virial = vflag % 4 != 0;
+  state.engine().evaluateForce(inputs(update->ntimestep), record);
+  state.deviceMoved(gpudem::fieldForce | gpudem::fieldTorque | gpudem::fieldVelocity | gpudem::fieldSpin);
+  publish(record);
+  modify->setup_pre_reverse(eflag, vflag);
+  if (plan.onHost.empty()) modify->setup(vflag);
+  else state.hostSection([&] { modify->setup(vflag); });
+  state.toDevice();
+
+  if (output->ndump) state.toHost(gpudem::fieldDynamic);
+  if (plan.hostLists) {
+    buildHostLists();
+    if (vflag / 4 || eflag / 2) evaluatePairOnHost();
+  } else if (!plan.thermoOnDevice) {
+    state.toHost(gpudem::fieldDynamic);
+  }
+  output->setup(flag);
+  update->setupflag = 0;
+}
+
+/* ----------------------------------------------------------------------
+   run
+------------------------------------------------------------------------- */
+
+void VerletGpudem::run(int n)
+{
+  if (!plan.possible) {
+    Verlet::run(n);
+    return;
+  }
+  try {
+    runResident(n);
+  } catch (const gpudem::Error &e) {
+    error->all(FLERR, "GPUDEM: {}", e.what());
+  }
+}
+
+void VerletGpudem::cleanup()
+{
+  if (onDevice) {
+    try {
+      state.downloadAll(plan);
+    } catch (const gpudem::Error &e) {
+      error->all(FLERR, "GPUDEM: {}", e.what());
+    }
+    if (!hostListsBuilt)
+      for (int k = 0; k < neighbor->nlist; ++k) neighbor->lists[k]->inum = 0;
+    leaveResident();
+  }
+  Verlet::cleanup();
+}
+
+void VerletGpudem::runResident(int n)
+{
+  if (!onDevice) {   // "run N pre no": no setup went before; the host's arrays are the state
+    enterResident();
+    state.uploadAll(plan);
+    state.engine().rebuild(state.box());
+    rowsDue = false;
+    lastRebuild = update->ntimestep;
+  }
+  const bigint first = update->ntimestep, last = first + n;
+  int checked = 0;
+  while (update->ntimestep < last) {
+    const int done = static_cast<int>(update->ntimestep - first);
+    for (; checked <= done; ++checked)
+      if (timer->check_timeout(checked)) {
+        update->nsteps = done;
+        return;
+      }
+    const bigint event = nextEvent(last);
+    advanceTo(event);
+    eventStep(event);
+    endOfStep(event);
+    if (event == output->next) writeOutput(event);
+  }
+}
+
+/// First step after now at which the host must act.
+bigint VerletGpudem::nextEvent(bigint last) const
+{
+  const bigint now = update->ntimestep;
+  if (plan.everyStep()) return now + 1;
+  bigint event = std::min(last, std::max(output->next, now + 1));
+  for (const Fix *fix : plan.scheduled)
+    if (fix->next_reneighbor > now) event = std::min(event, fix->next_reneighbor);
+  for (const int period : plan.endOfStep) event = std::min(event, (now / period + 1) * period);
+  return event;
+}
+
+gpudem::StepInputs VerletGpudem::inputs(bigint step)
+{
+  gpudem::StepInputs in;
+  in.step = step;
+  if (plan.varying.empty()) return in;
+  const bigint now = update->ntimestep;
+  update->ntimestep = step;   // the variables read it
+  in.termValue.resize(plan.scene.terms.size());
+  for (std::size_t k = 0; k < in.termValue.size(); ++k) in.termValue[k] = plan.scene.terms[k].value;
+  for (ResidentFix *fix : plan.varying) in.termValue[fix->term] = fix->value();
+  update->ntimestep = now;
+  return in;
+}
+
+/// From the completed step update->ntimestep to mid step before the force of \p event.
+void VerletGpudem::advanceTo(bigint event)
+{
+  gpudem::Engine &engine = state.engine();
+  timer->stamp();
+  if (state.toDevice()) rebuildRows();
+  bigint step = update->ntimestep + 1;
+  engine.beginStep(inputs(step));
+  while (step < event) {
+    if (rowsDue) {
+      update->ntimestep = step;
+      timer->stamp(Timer::PAIR);
+      rebuildRows();
+      timer->stamp(Timer::NEIGH);
+    }
+    const bigint expected = rebuildInterval - (step - lastRebuild);
+    const int batch = static_cast<int>(std::min<bigint>(event - step, std::clamp<bigint>(expected, 4, 64)));
+    for (int k = 0; k < batch; ++k) engine.queueStep(inputs(step + k));
+    const gpudem::Progress progress = engine.flush();
+    step += progress.executed;
+    rowsDue = progress.needsRebuild;
+  }
+  const gpudem::Progress progress = engine.flush();
+  rowsDue = rowsDue || progress.needsRebuild;
+  state.deviceMoved();
+  state.contactsMoved();
+  update->ntimestep = event;
+  timer->stamp(Timer::PAIR);
+}
+
+/// Host call points, force and second half kick of one event step.
+void VerletGpudem::eventStep(bigint step)
+{
+  ev_set(step);
+  timer->stamp();
+  if (plan.hostIntegrates) {
+    state.hostSection([&] {
+      modify->initial_integrate(vflag);
+      if (modify->n_post_integrate) modify->post_integrate();
+    });
+    rowsDue = state.toDevice() || rowsDue;
+    timer->stamp(Timer::MODIFY);
+  }
+  if (reneighborAsked(step) || (rowsDue && plan.hostRebuilds)) rebuildThroughHost();
+  else if (rowsDue) rebuildRows();
+  timer->stamp(Timer::NEIGH);
+
+  gpudem::Recording record;
+  record.virial = vflag % 4 != 0;
+  const gpudem::StepInputs in = inputs(step);
+  if (plan.hostForces || plan.hostIntegrates) completeWithHost(in, record);
+  else completeOnDevice(in, record);
+  publish(record);
+  timer->stamp(Timer::PAIR);
+}
+
+void VerletGpudem::completeOnDevice(const gpudem::StepInputs &in, const gpudem::Recording &record)
+{
+  state.engine().completeStep(in, record);
+  state.deviceMoved();
+}
+
+void VerletGpudem::completeWithHost(const gpudem::StepInputs &in, const gpudem::Recording &record)
+{
+  if (modify->n_pre_force && plan.hostForces) {
+    state.hostSection([&] { modify->pre_force(vflag); });
+    if (state.toDevice()) state.engine().rebuild(state.box());
+  }
+  state.engine().forceStep(in, record);
+  state.deviceMoved();
+  if (plan.hostForces) {
+    state.hostSection([&] {
+      if (modify->n_pre_reverse) modify->pre_reverse(eflag, vflag);
+      if (modify->n_post_force) modify->post_force(vflag);
+    });
+    rowsDue = state.toDevice() || rowsDue;
+  }
+  state.engine().finishStep(in);
+  state.deviceMoved(gpudem::fieldVelocity | gpudem::fieldSpin);
+  if (plan.hostIntegrates) {
+    state.hostSection([&] { modify->final_integrate(); });
+    rowsDue = state.toDevice() || rowsDue;
+  }
+}
+
+/// Results of the event that other styles read through their usual members.
+void VerletGpudem::publish(const gpudem::Recording &record)
+{
+  sumsStep = -1;
+  const gpudem::Observables &seen = state.engine().observables();
+  if (record.virial || eflag) plan.pair->setVirial(seen.virial);
+  for (ResidentFix *fix : plan.fixes)
+    if (fix->term >= 0) fix->setForceBefore(seen.termForce[fix->term]);
+}
+
+void VerletGpudem::endOfStep(bigint step)
+{
+  const bool due = std::any_of(plan.endOfStep.begin(), plan.endOfStep.end(),
+                               [&](int period) { return step % period == 0; });
+  if (!due) return;
+  timer->stamp();
+  if (plan.hostLists) {
+    buildHostLists();
+    if (vflag / 4 || eflag / 2) evaluatePairOnHost();
+  }
+  if (!plan.walls.empty()) state.downloadWalls(plan);
+  state.hostSection([&] { modify->end_of_step(); });
+  rowsDue = state.toDevice() || rowsDue;
+  timer->stamp(Timer::MODIFY);
+}
+
+void VerletGpudem::writeOutput(bigint step)
+{
+  timer->stamp();
+  const bool particles = output->next_dump_any == step || output->next_restart == step;
+  if (particles || !plan.thermoOnDevice || plan.hostLists) {
+    state.toHost(gpudem::fieldDynamic);
+    if (particles) state.downloadWalls(plan);
+    if (plan.hostLists) {
+      buildHostLists();
+      if (vflag / 4 || eflag / 2) evaluatePairOnHost();
+    }
+  }
+  output->write(step);
+  timer->stamp(Timer::OUTPUT);
+}
+
+const gpudem::KineticSums &VerletGpudem::kineticSums(unsigned groupMask, const gpudem::Array3 &gravity)
+{
+  if (sumsStep != update->ntimestep) sums.clear();
+  sumsStep = update->ntimestep;
+  const auto key = std::make_pair(groupMask, gravity);
+  auto found = sums.find(key);
+  if (found == sums.end()) found = sums.emplace(key, state.engine().kineticSums(groupMask, gravity)).first;
+  return found->second;
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file VerletGpudem: reneighbouring, on the device alone or through LAMMPS' own exchange.
+
+#include "verlet_gpudem.h"
+
+#include "fix_neigh_history_gpudem.h"
+#include "resident.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "fix.h"
+#include "force.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "output.h"
+#include "pair.h"
+#include "update.h"
+
+#include <algorithm>
+#include <vector>
+
+using namespace LAMMPS_NS;
+
+/// A fix scheduled this step, or a restart is written: LAMMPS reneighbours then, whatever has moved.
+bool VerletGpudem::reneighborAsked(bigint step) const
+{
+  for (const Fix *fix : plan.scheduled)
+    if (fix->next_reneighbor == step) return true;
+  return output->restart_flag && output->next_restart == step;
+}
+
+/// Let LAMMPS fit a shrink-wrapped box to the extent of the grains, without the grains.
+void VerletGpudem::shrinkWrap(const gpudem::Extent &extent)
+{
+  double kept[2][3];
+  const int nlocal = atom->nlocal;
+  for (int k = 0; k < 2; ++k)
+    for (int d = 0; d < 3; ++d) kept[k][d] = atom->x[k][d];
+  for (int d = 0; d < 3; ++d) {
+    atom->x[0][d] = extent.lo[d];
+    atom->x[1][d] = extent.hi[d];
+  }
+  atom->nlocal = 2;
+  domain->reset_box();
+  atom->nlocal = nlocal;
+  for (int k = 0; k < 2; ++k)
+    for (int d = 0; d < 3; ++d) atom->x[k][d] = kept[k][d];
+}
+
+bool VerletGpudem::lostThrough(const gpudem::Extent &extent) const
+{
+  for (int d = 0; d < 3; ++d)
+    if (!domain->periodicity[d] && (extent.lo[d] < domain->boxlo[d] || extent.hi[d] >= domain->boxhi[d])) return true;
+  return false;
+}
+
+/// Rebuild rows on the device; through the host if a grain left the box and LAMMPS must decide about it.
+void VerletGpudem::rebuildRows()
+{
+  if (plan.hostRebuilds) {
+    rebuildThroughHost();
+    return;
+  }
+  if (domain->nonperiodic && atom->nlocal > 0) {
+    const gpudem::Extent extent = state.engine().extent(state.box());
+    if (domain->nonperiodic == 2) shrinkWrap(extent);
+    if (lostThrough(extent)) {
+      rebuildThroughHost();
+      return;
+    }
+  }
+  state.engine().rebuild(state.box());
+  state.deviceMoved(gpudem::fieldPosition | gpudem::fieldImage);
+  rebuildInterval = std::max<int>(1, static_cast<int>(update->ntimestep - lastRebuild));
+  lastRebuild = update->ntimestep;
+  ++neighbor->ncalls;
+  rowsDue = false;
+}
+
+/// LAMMPS' own reneighbouring with all its hooks: insertion, deletion, lost atoms.
+void VerletGpudem::rebuildThroughHost()
+{
+  state.deviceMoved();
+  state.contactsMoved();
+  state.downloadAll(plan);
+  modify->pre_exchange();
+  domain->pbc();
+  domain->reset_box();
+  comm->setup();
+  if (neighbor->style) neighbor->setup_bins();
+  comm->exchange();
+  if (atom->map_style != Atom::MAP_NONE || plan.hostRebuilds) comm->borders();
+  modify->pre_neighbor();
+  if (plan.hostRebuilds) modify->post_neighbor();
+  state.uploadAll(plan);
+  state.engine().rebuild(state.box());
+  rebuildInterval = std::max<int>(4, static_cast<int>(update->ntimestep - lastRebuild));
+  lastRebuild = update->ntimestep;
+  ++neighbor->ncalls;
+  rowsDue = false;
+}
+
+/// Ghosts and stock neighbour lists, contact history included, for host styles that read them at this step.
+void VerletGpudem::buildHostLists()
+{
+  state.toHost(gpudem::fieldDynamic);
+  state.downloadContacts(plan);
+  domain->pbc();
+  comm->setup();
+  if (neighbor->style) neighbor->setup_bins();
+  comm->borders();
+  neighbor->build(1);
+  --neighbor->ncalls;
+  if (plan.history) plan.history->fillHostLists();
+  hostListsBuilt = true;
+}
+
+/// Per-atom virial and energy from the stock pair style, with the velocities its forces saw.
+void VerletGpudem::evaluatePairOnHost()
+{
+  const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
+  const auto copy = [n](double **a) { return std::vector<double>(a[0], a[0] + n); };
+  const std::vector<double> f = copy(atom->f), torque = copy(atom->torque), v = copy(atom->v), w = copy(atom->omega);
+  if (!update->setupflag) state.engine().downloadHalfStepVelocities(state.host());
+  comm->borders();
+  force_clear();
+  const int setup = update->setupflag;
+  update->setupflag = 1;   // springs must not advance
+  force->pair->compute(eflag, vflag);
+  update->setupflag = setup;
+  std::copy(f.begin(), f.end(), atom->f[0]);
+  std::copy(torque.begin(), torque.end(), atom->torque[0]);
+  std::copy(v.begin(), v.end(), atom->v[0]);
+  std::copy(w.begin(), w.end(), atom->omega[0]);
+}

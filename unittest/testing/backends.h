@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file One test body, every backend and precision that this machine has.
+#pragma once
+
+#include "gpudem/engine.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace gpudem::testing {
+
+struct Backend {
+  DeviceKind device;
+  Precision precision;
+};
+
+inline std::string backendName(const ::testing::TestParamInfo<Backend> &info)
+{
+  return std::string(info.param.device == DeviceKind::Cpu ? "Cpu" : "Gpu") +
+      (info.param.precision == Precision::Double ? "Double" : "Mixed");
+}
+
+/// Fixture that makes the engine or skips where there is no GPU.
+class OnBackend : public ::testing::TestWithParam<Backend> {
+ protected:
+  void SetUp() override
+  {
+    if (GetParam().device == DeviceKind::Gpu && gpuCount() == 0) GTEST_SKIP() << gpuProblem();
+  }
+  std::unique_ptr<Engine> make(int threads = 2) const
+  {
+    return makeEngine({GetParam().device, GetParam().precision, threads, 0});
+  }
+  bool fine() const { return GetParam().precision == Precision::Double; }
+};
+
+#define GPUDEM_ON_ALL_BACKENDS(fixture)                                                                   \
+  INSTANTIATE_TEST_SUITE_P(All, fixture,                                                                  \
+                           ::testing::Values(Backend{DeviceKind::Cpu, Precision::Double},                 \
+                                             Backend{DeviceKind::Cpu, Precision::Mixed},                  \
+                                             Backend{DeviceKind::Gpu, Precision::Double},                 \
+                                             Backend{DeviceKind::Gpu, Precision::Mixed}),                 \
+                           backendName)
+
+}  // namespace gpudem::testing

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file Tolerances as a type: relative to a stated magnitude, per precision.
+#pragma once
+
+#include "gpudem/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gpudem::testing {
+
+/// |a - b| <= relative * magnitude. The magnitude is that of the quantity's scale, not of a or b.
+struct Tolerance {
+  double relative;
+  double magnitude;
+  double absolute() const { return relative * magnitude; }
+};
+
+/// Round-off of one evaluation, amplified by at most \p operations.
+inline Tolerance roundOff(Precision p, double magnitude, double operations = 16)
+{
+  return {operations * (p == Precision::Double ? 2.3e-16 : 1.2e-7), magnitude};
+}
+
+inline ::testing::AssertionResult near(double a, double b, const Tolerance &t)
+{
+  if (std::abs(a - b) <= t.absolute()) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << a << " and " << b << " differ by " << std::abs(a - b) << ", more than "
+                                       << t.absolute() << " (" << t.relative << " of " << t.magnitude << ")";
+}
+
+}  // namespace gpudem::testing

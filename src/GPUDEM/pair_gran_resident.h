@@ -21,7 +21,10 @@ namespace LAMMPS_NS {
 template <class Stock, gpudem::NormalModel normalModel, bool springs>
 class PairGranResident : public Stock, public ResidentPair {
  public:
-  explicit PairGranResident(LAMMPS *lmp) : Stock(lmp) {}
+  explicit PairGranResident(LAMMPS *lmp) : Stock(lmp)
+  {
+    this->limit_damping = 0;   // not in a restart file; the stock style leaves it unset after reading one
+  }
 
   void init_style() { initStyle(); }
 

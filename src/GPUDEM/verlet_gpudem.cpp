@@ -180,12 +180,13 @@ void VerletGpudem::setupResident(int flag)
   else state.hostSection([&] { modify->setup(vflag); });
   state.toDevice();
 
-  if (output->ndump) state.toHost(gpudem::fieldDynamic);
+  if (output->ndump || !plan.thermoOnDevice) {
+    state.toHost(gpudem::fieldDynamic);
+    state.downloadWalls(plan);
+  }
   if (plan.hostLists) {
     buildHostLists();
     if (vflag / 4 || eflag / 2) evaluatePairOnHost();
-  } else if (!plan.thermoOnDevice) {
-    state.toHost(gpudem::fieldDynamic);
   }
   output->setup(flag);
   update->setupflag = 0;
@@ -335,6 +336,7 @@ void VerletGpudem::completeOnDevice(const gpudem::StepInputs &in, const gpudem::
 {
   state.engine().completeStep(in, record);
   state.deviceMoved();
+  state.contactsMoved();
 }
 
 void VerletGpudem::completeWithHost(const gpudem::StepInputs &in, const gpudem::Recording &record)
@@ -345,6 +347,7 @@ void VerletGpudem::completeWithHost(const gpudem::StepInputs &in, const gpudem::
   }
   state.engine().forceStep(in, record);
   state.deviceMoved();
+  state.contactsMoved();
   if (plan.hostForces) {
     state.hostSection([&] {
       if (modify->n_pre_reverse) modify->pre_reverse(eflag, vflag);
@@ -392,7 +395,7 @@ void VerletGpudem::writeOutput(bigint step)
   const bool particles = output->next_dump_any == step || output->next_restart == step;
   if (particles || !plan.thermoOnDevice || plan.hostLists) {
     state.toHost(gpudem::fieldDynamic);
-    if (particles) state.downloadWalls(plan);
+    state.downloadWalls(plan);
     if (plan.hostLists) {
       buildHostLists();
       if (vflag / 4 || eflag / 2) evaluatePairOnHost();

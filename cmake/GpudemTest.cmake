@@ -1,0 +1,15 @@
+# gpudem_add_test(name SOURCES ... LABELS ... [TIMEOUT seconds]): one GoogleTest executable, discovered case by case.
+find_package(GTest REQUIRED)
+include(GoogleTest)
+function(gpudem_add_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LABELS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE gpudem-testing GTest::gtest_main)
+  gpudem_options(${name})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/unittest)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()

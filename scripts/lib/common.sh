@@ -1,0 +1,23 @@
+# Shared by the scripts: where things are, messages, packages.
+# shellcheck shell=bash
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build=${GPUDEM_BUILD_DIR:-$root/build}
+deps=$root/build/deps
+
+say() { printf 'gpudem: %s\n' "$*" >&2; }
+die() {
+  say "$*"
+  exit 1
+}
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    die "'$*' needs root: ask your administrator for it, or see doc/Howto_install.md for an installation without root"
+  fi
+}
+
+cores() { nproc 2>/dev/null || echo 1; }

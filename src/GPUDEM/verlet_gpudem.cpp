@@ -130,6 +130,7 @@ void VerletGpudem::setup_minimal(int flag)
   // rerun and friends set positions from outside at every step: nothing can stay on the device
   plan = ResidentPlan();
   plan.reason = "the command sets up without running (rerun, ...)";
+  printPlan();
   Verlet::setup_minimal(flag);
 }
 

@@ -57,6 +57,7 @@ class VerletGpudem : public Verlet {
   void rebuildThroughHost();
   void shrinkWrap(const gpudem::Extent &extent);
   bool lostThrough(const gpudem::Extent &extent) const;
+  void renewGhosts();
   void buildHostLists();
   void evaluatePairOnHost();
   gpudem::StepInputs inputs(bigint step);

@@ -102,6 +102,14 @@ void VerletGpudem::rebuildThroughHost()
   rowsDue = false;
 }
 
+/// Ghosts of the present positions. Without an exchange before it, borders() would add to the ghosts it finds.
+void VerletGpudem::renewGhosts()
+{
+  if (atom->map_style != Atom::MAP_NONE) atom->map_clear();
+  atom->nghost = 0;
+  comm->borders();
+}
+
 /// Ghosts and stock neighbour lists, contact history included, for host styles that read them at this step.
 void VerletGpudem::buildHostLists()
 {
@@ -110,7 +118,7 @@ void VerletGpudem::buildHostLists()
   domain->pbc();
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
-  comm->borders();
+  renewGhosts();
   neighbor->build(1);
   --neighbor->ncalls;
   if (plan.history) plan.history->fillHostLists();
@@ -124,7 +132,7 @@ void VerletGpudem::evaluatePairOnHost()
   const auto copy = [n](double **a) { return std::vector<double>(a[0], a[0] + n); };
   const std::vector<double> f = copy(atom->f), torque = copy(atom->torque), v = copy(atom->v), w = copy(atom->omega);
   if (!update->setupflag) state.engine().downloadHalfStepVelocities(state.host());
-  comm->borders();
+  renewGhosts();
   force_clear();
   const int setup = update->setupflag;
   update->setupflag = 1;   // springs must not advance

@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: GPL-2.0-only
+# Copyright (c) 2026 The GPUDEM developers
+"""Bad input ends with a message that names the offending word; scenes that cannot be resident say why and still run."""
+import os
+import pathlib
+import unittest
+
+import scenes
+from compare import compare_dumps, compare_thermo
+from lammps import GPUDEM, STOCK, StylesTest
+from tolerance import DOUBLE
+
+NVE = "fix move all nve/sphere\n"
+
+
+class Errors(StylesTest):
+    def fails(self, text, *phrases, cloud=None, environment=None, gpudem="double"):
+        run = self.run_lammps(text, [("cloud.data", cloud or scenes.cloud(cells=(5, 5, 5)))], gpudem=gpudem,
+                              environment=environment, succeed=False, timeout=60)
+        self.assertNotEqual(run.status, 0, run.screen[-1500:])
+        for phrase in phrases:
+            self.assertIn(phrase, run.everything)
+        return run
+
+    def test_unknown_keyword(self):
+        self.fails("gpudem foo 1\n", "ERROR", "'foo'", "device, precision, threads, info")
+
+    def test_unknown_value(self):
+        self.fails("gpudem precision half\n", "ERROR", "'half'", "'precision'", "double, mixed")
+        self.fails("gpudem device tpu\n", "ERROR", "'tpu'", "'device'", "auto, gpu, cpu")
+        self.fails("gpudem threads none\n", "ERROR", "'none'", "'threads'", "whole number")
+        self.fails("gpudem threads 0\n", "ERROR", "'0'", "'threads'")
+
+    def test_missing_value(self):
+        self.fails("gpudem precision\n", "ERROR", "'precision'", "no value")
+        self.fails("gpudem\n", "ERROR", "keyword value")
+
+    def test_environment(self):
+        self.fails(scenes.scene(steps=1), "ERROR", "GPUDEM_PRECISION", "'half'", environment={"GPUDEM_PRECISION": "half"})
+
+    def test_no_gpu(self):
+        text = "gpudem device gpu\n" + scenes.scene(steps=1)
+        run = self.run_lammps(text, [("cloud.data", scenes.cloud(cells=(5, 5, 5)))], gpudem="double", succeed=False,
+                              environment={"CUDA_VISIBLE_DEVICES": ""})
+        self.assertNotEqual(run.status, 0)
+        self.assertIn("gpudem device gpu", run.everything)
+        self.assertIn("no usable GPU", run.everything)
+
+    def test_not_a_number_in_data_file(self):
+        def edit(atoms, velocities):
+            velocities[41][2] = float("nan")
+        self.fails(scenes.scene(steps=100), "ERROR", "42", cloud=scenes.cloud(cells=(5, 5, 5), edit=edit))
+
+    def test_not_a_number_from_a_variable(self):
+        text = scenes.scene(before="variable bad atom (id==17)*1.0e308*1.0e10\n",
+                            after="run 20\nset atom 17 vx 1.0e308\nvelocity all scale 3.0\nrun 50\n")
+        text = text.replace("set atom 17 vx 1.0e308\nvelocity all scale 3.0\n", "velocity all set v_bad NULL NULL\n")
+        run = self.fails(text, "ERROR", "17")
+        self.assertRegex(run.everything, "step")
+
+    def test_infinite_velocity_mixed(self):
+        def edit(atoms, velocities):
+            velocities[41][2] = float("inf")
+        self.fails(scenes.scene(steps=100), "ERROR", "42", cloud=scenes.cloud(cells=(5, 5, 5), edit=edit), gpudem="mixed")
+
+    def test_much_too_fast(self):
+        """A grain that crosses the box in one step."""
+        def edit(atoms, velocities):
+            velocities[41][2] = 1.0e9
+        files = [("cloud.data", scenes.cloud(cells=(5, 5, 5), edit=edit))]
+        for precision in ("double", "mixed"):
+            run = self.run_lammps(scenes.scene(steps=20), files, gpudem=precision, succeed=False, timeout=60)
+            if run.status == 0:   # survived: then it must agree with stock about who is still there
+                stock = self.run_lammps(scenes.scene(steps=20), files)
+                self.assertEqual(stock.thermo()[-1][1][-1, 1], run.thermo()[-1][1][-1, 1])
+            else:
+                self.assertIn("42", run.everything)
+
+    def test_zero_diameter(self):
+        """LAMMPS lets a grain be a point; it has no mass by density, and the run must not go on in silence."""
+        text = scenes.scene(after="set atom 9 diameter 0.0\nrun 20\n")
+        stock = self.run_lammps(text, [("cloud.data", scenes.cloud(cells=(5, 5, 5)))], succeed=False)
+        ours = self.run_lammps(text, [("cloud.data", scenes.cloud(cells=(5, 5, 5)))], gpudem="double", succeed=False)
+        self.assertEqual(stock.status == 0, ours.status == 0, ours.screen[-1500:])
+        if stock.status == 0:
+            compare_dumps(self, stock.dump(), ours.dump(), DOUBLE)
+        else:
+            self.assertIn("ERROR", ours.everything)
+
+    def test_wrong_style_arguments(self):
+        self.fails(scenes.scene(pair="gran/hooke/history 2.0e4 NULL 50.0"), "ERROR", "Illegal pair_style command")
+        self.fails(scenes.scene("fix move all nve/sphere\nfix w all wall/gran hooke 1 2 3\n"), "ERROR", "wall/gran")
+
+
+class StillRuns(StylesTest):
+    def falls_back(self, text, *phrases, files=None, **kw):
+        files = files or [("cloud.data", scenes.cloud())]
+        stock = self.run_lammps(text, files, **kw)
+        ours = self.run_lammps(text, files, gpudem="double", **kw)
+        for phrase in ("not resident", *phrases):
+            self.assertIn(phrase, ours.everything)
+        compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
+        compare_thermo(self, stock.thermo(), ours.thermo(), DOUBLE)
+
+    def test_triclinic(self):
+        text = scenes.scene(steps=100).replace("pair_style", "change_box all triclinic\npair_style", 1)
+        self.falls_back(text, "triclinic")
+
+    def test_pair_without_device_version(self):
+        text = scenes.scene(steps=100, pair="granular").replace(
+            "pair_coeff * *", "pair_coeff * * hooke 2.0e4 50.0 tangential linear_history 5.0e3 1.0 0.4 damping mass_velocity", 1)
+        self.falls_back(text, "pair style granular")
+
+    def test_hybrid(self):
+        text = scenes.scene(steps=100, pair="hybrid gran/hooke/history 2.0e4 NULL 50.0 NULL 0.5 1").replace(
+            "pair_coeff * *", "pair_coeff * * gran/hooke/history", 1)
+        self.falls_back(text)
+
+    def test_deforming_box(self):
+        text = scenes.scene(NVE + "fix press all deform 1 z scale 0.95\n", steps=100)
+        self.falls_back(text, "changes the box")
+
+    def test_small_periodic_box(self):
+        text = scenes.scene(steps=100)
+        self.falls_back(text, "twice the interaction range", files=[("cloud.data", scenes.cloud(cells=(2, 8, 8)))])
+
+    def test_dynamic_group(self):
+        text = scenes.scene(before="region low block INF INF INF INF INF 3.0\ngroup low dynamic all region low every 10\n",
+                            steps=100)
+        self.falls_back(text, "dynamic")
+
+    def test_two_ranks(self):
+        files = [("cloud.data", scenes.cloud())]
+        text = scenes.scene(steps=100)
+        stock = self.run_lammps(text, files)
+        ours = self.run_lammps(text, files, gpudem="double", ranks=2)
+        self.assertIn("several MPI ranks", ours.everything)
+        compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
+
+    def test_ghost_velocities_not_asked_for(self):
+        text = scenes.scene(steps=100)
+        files = [("cloud.data", scenes.cloud())]
+        stock = self.run_lammps(text, files)
+        ours = self.run_lammps(text.replace("comm_modify vel yes\n", ""), files, gpudem="double")
+        self.assertIn("comm_modify vel yes", ours.screen)
+        self.assertIn("WARNING", ours.screen)
+        self.assertResident(ours)
+        compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
+
+    def test_empty_box(self):
+        """Nothing to move, nothing announced: the stock loop runs."""
+        text = scenes.head(read="region all block 0 5 0 5 0 5\ncreate_box 1 all") + scenes.middle() + NVE + "run 10\n"
+        run = self.run_lammps(text, gpudem="double")
+        self.assertIn("no grain", run.everything)
+
+    def test_one_grain(self):
+        def only_first(atoms, velocities):
+            del atoms[1:], velocities[1:]
+        data = scenes.cloud(edit=only_first).replace("512 atoms", "1 atoms")
+        text = scenes.scene(NVE + "fix down all gravity 1.0 vector 0 0 -1\n", boundary="p p s")
+        for boundary in ("p p p", "p p f"):
+            text = scenes.scene(NVE + "fix down all gravity 1.0 vector 0 0 -1\n", boundary=boundary)
+            stock = self.run_lammps(text, [("cloud.data", data)])
+            ours = self.run_lammps(text, [("cloud.data", data)], gpudem="double")
+            compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
+
+
+class Doors(StylesTest):
+    def test_preloaded_into_stock(self):
+        """The library preloaded into stock lmp does what the launcher does."""
+        library = os.environ.get("GPUDEM_LIBRARY") or pathlib.Path(GPUDEM).resolve().parent / "gpudemplugin.so"
+        if not pathlib.Path(library).exists():
+            self.skipTest("gpudemplugin.so is not beside the launcher; set GPUDEM_LIBRARY")
+        files, text = [("cloud.data", scenes.cloud())], scenes.scene(steps=100)
+        launcher = self.run_lammps(text, files, gpudem="double")
+        preloaded = self.run_lammps(text, files, gpudem="double", executable=STOCK,
+                                    environment={"LD_PRELOAD": str(library)})
+        self.assertResident(preloaded)
+        self.assertEqual(launcher.path("dump.out").read_bytes(), preloaded.path("dump.out").read_bytes())
+
+    def test_without_suffix(self):
+        """Without the suffix the launcher is an ordinary lmp."""
+        files, text = [("cloud.data", scenes.cloud())], scenes.scene(steps=100)
+        stock = self.run_lammps(text, files)
+        ours = self.run_lammps(text, files, executable=GPUDEM)
+        self.assertNotIn("GPUDEM", ours.everything.replace(str(self.root), ""))
+        self.assertEqual(stock.path("dump.out").read_bytes(), ours.path("dump.out").read_bytes())
+
+    def test_explicit_style_names(self):
+        """A script may name the styles itself."""
+        files = [("cloud.data", scenes.cloud())]
+        stock = self.run_lammps(scenes.scene(steps=100), files)
+        text = scenes.scene("run_style verlet/gpudem\nfix move all nve/sphere/gpudem", steps=100).replace(
+            "pair_style gran/hooke/history", "pair_style gran/hooke/history/gpudem")
+        ours = self.run_lammps(text, files, gpudem="double", arguments=[])
+        self.assertResident(ours)
+        compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
+
+    def test_settings_command(self):
+        files = [("cloud.data", scenes.cloud())]
+        run = self.run_lammps("gpudem precision double threads 2 device cpu\n" + scenes.scene(steps=10), files,
+                              gpudem="mixed")
+        self.assertIn("precision : double", run.log)
+        self.assertIn("2 threads", run.log)
+        quiet = self.run_lammps("gpudem info no\n" + scenes.scene(steps=10), files, gpudem="mixed")
+        self.assertNotIn("GPUDEM resident run", quiet.log)
+
+
+class Determinism(StylesTest):
+    def test_bitwise(self):
+        """Same input, same bits: from run to run and for any number of threads."""
+        fixes = ("fix move all nve/sphere\nfix down all gravity 10.0 chute 20\n"
+                 "fix w all wall/gran hertz/history 2.0e5 NULL 200.0 NULL 0.5 1 zplane 0.05 NULL\n")
+        text = scenes.scene(fixes, boundary="p p f", every=20, pair=scenes.HERTZ_HISTORY,
+                            thermo=scenes.THERMO + " press temp")
+        files = [("cloud.data", scenes.cloud(cells=(10, 10, 8), margin=(0, 0, 0.5)))]
+        for precision in ("double", "mixed"):
+            runs = [self.run_lammps(text, files, gpudem=precision, threads=t) for t in (1, 1, 2, 3)]
+            for other in runs[1:]:
+                self.assertEqual(runs[0].path("dump.out").read_bytes(), other.path("dump.out").read_bytes(), precision)
+                self.assertEqual(str(runs[0].thermo()), str(other.thermo()))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -206,6 +206,10 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
     plan.reason = "the pair style's contact history is kept by a stock fix";
     return plan;
   }
+  if (!(scene.largestRadius > 0.0)) {
+    plan.reason = "there is no grain of finite size, and no insertion fix announces one";
+    return plan;
+  }
   const double reach = 2.0 * scene.largestRadius + scene.skin;
   for (int d = 0; d < lmp->domain->dimension; ++d)
     if (lmp->domain->periodicity[d] && lmp->domain->prd[d] < 2.0 * reach) {
@@ -213,10 +217,6 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
                                 lmp->domain->prd[d], "xyz"[d], reach);
       return plan;
     }
-  if (!(reach > 0.0)) {
-    plan.reason = "there is no grain, and no insertion fix announces one";
-    return plan;
-  }
   checkThermo(lmp, plan);
   checkLists(lmp, plan);
   describeSkipped(lmp, plan);

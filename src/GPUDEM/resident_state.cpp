@@ -11,8 +11,10 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "update.h"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 #include <vector>
 
@@ -69,8 +71,31 @@ gpudem::Box ResidentState::box() const
   return b;
 }
 
+void ResidentState::checkFinite(unsigned fields) const
+{
+  const struct {
+    unsigned field;
+    double *const *values;
+    const char *name;
+  } arrays[] = {{gpudem::fieldPosition, atom->x, "position"},
+                {gpudem::fieldVelocity, atom->v, "velocity"},
+                {gpudem::fieldSpin, atom->omega, "angular velocity"},
+                {gpudem::fieldForce, atom->f, "force"},
+                {gpudem::fieldTorque, atom->torque, "torque"}};
+  for (const auto &array : arrays) {
+    if (!(fields & array.field)) continue;
+    for (int i = 0; i < atom->nlocal; ++i) {
+      const double *a = array.values[i];
+      if (!std::isfinite(a[0] + a[1] + a[2]))
+        error->one(FLERR, "GPUDEM: atom {} at step {} has the {} {:g} {:g} {:g}, which is not finite", atom->tag[i],
+                   update->ntimestep, array.name, a[0], a[1], a[2]);
+    }
+  }
+}
+
 void ResidentState::uploadAll(const ResidentPlan &plan)
 {
+  checkFinite(gpudem::fieldKinetic);
   gpudem::SceneSpec scene = plan.scene;
   for (int i = 0; i < atom->nlocal; ++i) scene.largestRadius = std::max(scene.largestRadius, atom->radius[i]);
   engine_->setScene(scene);
@@ -141,6 +166,7 @@ bool ResidentState::toDevice()
 {
   if (!deviceStale_) return false;
   const unsigned fields = deviceStale_;
+  checkFinite(fields);
   engine_->uploadFields(host(), fields);
   deviceStale_ = 0;
   return fields & (gpudem::fieldPosition | gpudem::fieldMask | gpudem::fieldShape);

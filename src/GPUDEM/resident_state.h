@@ -53,6 +53,8 @@ class ResidentState : protected Pointers {
  private:
   using Fingerprints = std::array<std::uint64_t, 8>;
   Fingerprints fingerprints() const;
+  /// Stop with the atom's ID if a value about to be sent is not finite; the device would only name a victim.
+  void checkFinite(unsigned fields) const;
   void noteChanges(const Fingerprints &before);
 
   std::unique_ptr<gpudem::Engine> engine_;

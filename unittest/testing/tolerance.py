@@ -65,5 +65,5 @@ CHUTE_MIXED_ENERGY = 1e-6
 # Bulk of a poured heap, which is chaotic: means over thousands of grains, in different micro-states.
 # The spread between stock runs on one and two ranks is of the same size.
 BULK_HEIGHT = 0.02          # relative, mean height of the heap
-BULK_COORDINATION = 0.10    # absolute, contacts per grain
+BULK_SIGMAS = 4.0           # contacts per grain c of n grains: standard error of a difference, sqrt(4 c / n), times this
 BULK_ENERGY_BAND = 0.25     # relative, kinetic energy while pouring

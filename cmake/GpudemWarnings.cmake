@@ -1,7 +1,7 @@
 # gpudem_options(target): warnings, sanitizers and the CPU architecture for C++ sources of a target.
 function(gpudem_options target)
   target_compile_options(${target} PRIVATE
-    $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-ffp-contract=off;-fno-math-errno>)
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-ffp-contract=off;-fno-math-errno;-fno-trapping-math>)
   if(GPUDEM_CPU_ARCH)
     target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-march=${GPUDEM_CPU_ARCH}>)
   endif()

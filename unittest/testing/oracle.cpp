@@ -108,6 +108,7 @@ void Oracle::pairForce(std::size_t i, std::size_t j, bool advance)
   Contact<double> c;
   c.branch = branch;
   c.distance = std::sqrt(r2);
+  c.inverseDistance = 1.0 / c.distance;
   c.overlap = reach - c.distance;
   c.effectiveRadius = g.radius[i] * g.radius[j] / reach;
   c.effectiveMass = g.mass[i] * g.mass[j] / (g.mass[i] + g.mass[j]);

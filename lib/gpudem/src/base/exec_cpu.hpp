@@ -47,6 +47,18 @@ class CpuExec {
     for (std::uint32_t i = 0; i < count; ++i) f(i);
   }
 
+  /// The same for work that comes in sizeable pieces.
+  template <class F>
+  void forEachChunk(std::uint32_t chunks, const F &f) const
+  {
+    if (threads_ == 1 || chunks < 2) {
+      for (std::uint32_t c = 0; c < chunks; ++c) f(c);
+      return;
+    }
+#pragma omp parallel for num_threads(threads_) schedule(static)
+    for (std::uint32_t c = 0; c < chunks; ++c) f(c);
+  }
+
   /// op over f(0) .. f(count-1) in a fixed order: chunks first, then their results.
   template <class T, class F, class Op>
   T reduce(std::uint32_t count, const F &f, const Op &op, const T &init) const

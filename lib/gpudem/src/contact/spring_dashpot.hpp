@@ -29,6 +29,7 @@ namespace gpudem {
 template <class Real>
 struct LawCoefficients {
   Real kn, kt, gamman, gammat, friction;
+  Real inverseKt;   ///< 1/kt, 0 if kt is 0
   bool limitDamping;
 };
 
@@ -40,6 +41,7 @@ LawCoefficients<Real> coefficients(const ContactLaw &law)
           static_cast<Real>(law.normalDamping),
           static_cast<Real>(law.tangentialDamping),
           static_cast<Real>(law.friction),
+          static_cast<Real>(law.tangentialStiffness != 0.0 ? 1.0 / law.tangentialStiffness : 0.0),
           law.limitDamping};
 }
 
@@ -48,6 +50,7 @@ template <class Real>
 struct Contact {
   Vec3<Real> branch;            ///< from the partner's centre (or the wall) to the grain's (distance)
   Real distance;                ///< |branch|
+  Real inverseDistance;         ///< 1/|branch|
   Real overlap;                 ///< sum of radii - distance, > 0 (distance)
   Real effectiveRadius;         ///< R_i R_j/(R_i + R_j), read by Hertz only (distance)
   Real effectiveMass;           ///< m_i m_j/(m_i + m_j)
@@ -67,7 +70,7 @@ template <NormalModel normal, TangentialModel tangential, class Real>
 GPUDEM_HD ContactForce<Real> springDashpot(const LawCoefficients<Real> &law, const Contact<Real> &c,
                                            Vec3<Real> &spring, Real dt, bool advance)
 {
-  const Real inverse = Real(1) / c.distance;
+  const Real inverse = c.inverseDistance;
   const Real inverse2 = inverse * inverse;
   const Real normalRate = dot(c.relativeVelocity, c.branch);
 
@@ -77,7 +80,7 @@ GPUDEM_HD ContactForce<Real> springDashpot(const LawCoefficients<Real> &law, con
     scale = squareRoot(c.overlap * c.effectiveRadius);
     push *= scale;
   }
-  if (law.limitDamping && push < Real(0)) push = Real(0);
+  push = law.limitDamping && push < Real(0) ? Real(0) : push;
 
   ContactForce<Real> out;
   out.force = c.branch * push;
@@ -92,27 +95,21 @@ GPUDEM_HD ContactForce<Real> springDashpot(const LawCoefficients<Real> &law, con
   if (tangential == TangentialModel::Viscous) {
     const Real speed = squareRoot(dot(slip, slip));
     const Real drag = c.effectiveMass * law.gammat * speed;
-    const Real factor = speed != Real(0) ? (limit < drag ? limit : drag) / speed : Real(0);
-    friction = slip * (-factor);
+    friction = slip * (speed > Real(0) ? -divide(limit < drag ? limit : drag, speed) : Real(0));
   } else {
     if (advance) spring += slip * dt;
-    const Real length2 = dot(spring, spring);
+    const bool fresh = dot(spring, spring) == Real(0);
     if (advance) spring -= c.branch * (dot(spring, c.branch) * inverse2);
     const Vec3<Real> dashpot = slip * (c.effectiveMass * law.gammat);
     friction = (spring * law.kt + dashpot) * (-scale);
-    const Real magnitude = squareRoot(dot(friction, friction));
-    if (magnitude > limit) {
-      if (length2 != Real(0)) {
-        const Real ratio = limit / magnitude;
-        if (law.kt != Real(0)) {
-          const Vec3<Real> lag = dashpot * (Real(1) / law.kt);
-          spring = (spring + lag) * ratio - lag;
-        }
-        friction = friction * ratio;
-      } else {
-        friction = {Real(0), Real(0), Real(0)};
-      }
-    }
+    const Real magnitude2 = dot(friction, friction);
+    const bool slides = magnitude2 > limit * limit;
+    const Real ratio = slides ? limit * inverseSquareRoot(magnitude2) : Real(1);
+    const Vec3<Real> lag = dashpot * law.inverseKt;
+    const Vec3<Real> shortened = (spring + lag) * ratio - lag;
+    const bool shorten = slides && !fresh;
+    spring = {shorten ? shortened.x : spring.x, shorten ? shortened.y : spring.y, shorten ? shortened.z : spring.z};
+    friction = friction * (slides && fresh ? Real(0) : ratio);
   }
   out.force += friction;
   out.couple = cross(c.branch, friction) * inverse;

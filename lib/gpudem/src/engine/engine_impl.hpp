@@ -9,7 +9,7 @@
 #include "neighbor/layout.hpp"
 #include "neighbor/place.hpp"
 #include "neighbor/rows.hpp"
-#include "step/contact_step.hpp"
+#include "step/contact_chunk.hpp"
 #include "step/observables.hpp"
 #include "step/scene_views.hpp"
 

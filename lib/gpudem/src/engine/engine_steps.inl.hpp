@@ -66,6 +66,8 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   v.anchor = anchor_.data();
   v.anchorRule = anchorRule_;
   v.frame = frame_;
+  const double units = P::fine ? 18446744073709551616.0 : 4294967296.0;
+  v.perUnit = (frame_.inverse * units).template as<Real>();
   v.reachSlack =
       static_cast<float>(4.0 * std::max(frame_.unit32.x, std::max(frame_.unit32.y, frame_.unit32.z)));
   v.law = coefficients<Real>(scene_.pair);
@@ -90,7 +92,7 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
     v.wall[w] = wallAt<Real>(scene_.walls[w], in.step, scene_.timestep, wallSpring_[w].data(), nullptr);
   v.integrators = static_cast<int>(scene_.integrators.size());
   for (int k = 0; k < v.integrators; ++k)
-    v.integrator[k] = integratorAt(scene_.integrators[k], coming, scene_.timestep);
+    v.integrator[k] = integratorAt(scene_.integrators[k], coming, scene_.timestep, scene_.halfKick);
   v.cell = cell_.data();
   v.grid = grid_;
   v.type = type_.data();
@@ -109,8 +111,16 @@ void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
   const auto launch = [&](auto normal, auto tangential) {
     constexpr N n = decltype(normal)::value;
     constexpr T t = decltype(tangential)::value;
-    if (scene_.walls.empty()) exec_.forEach(count_, ContactStep<P, n, t, mode, false, W>{v});
-    else exec_.forEach(count_, ContactStep<P, n, t, mode, true, W>{v});
+    const bool walls = !scene_.walls.empty();
+    if constexpr (W == 1) {
+      const std::uint32_t chunks = (count_ + 63) / 64;
+      static_assert(ContactChunk<P, n, t, mode, false>::chunk == 64);
+      if (walls) exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, true>{v});
+      else exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, false>{v});
+    } else {
+      if (walls) exec_.forEach(count_, ContactStep<P, n, t, mode, true, W>{v});
+      else exec_.forEach(count_, ContactStep<P, n, t, mode, false, W>{v});
+    }
   };
   const std::integral_constant<N, N::Hooke> hooke;
   const std::integral_constant<N, N::Hertz> hertz;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file Velocity Verlet of LAMMPS split into its two halves, for one grain.
+/// \file Velocity Verlet of LAMMPS as kicks and drifts of one grain.
 ///
-/// finishing: v_n = v_(n-1/2) + dt/2 f_n/m; beginning: v_(n+1/2) = v_n + dt/2 f_n/m, x_(n+1) = x_n + dt v_(n+1/2)
-/// (Swope et al., J. Chem. Phys. 76 (1982) 637); spins alike with the moment of inertia. Prescribed motion
-/// (fix move) replaces both.
+/// v_n = v_(n-1/2) + dt/2 f_n/m, v_(n+1/2) = v_n + dt/2 f_n/m, x_(n+1) = x_n + dt v_(n+1/2) (Swope et al., J. Chem.
+/// Phys. 76 (1982) 637); spins alike with the moment of inertia. Between events the two half kicks are one.
+/// Prescribed motion (fix move) replaces them.
 #pragma once
 
 #include "step/step_view.hpp"
@@ -12,29 +12,29 @@
 namespace gpudem {
 
 template <class P>
-GPUDEM_HD typename P::Fixed advance(typename P::Fixed x, typename P::Real distance, double inverseUnit)
+GPUDEM_HD typename P::Fixed advance(typename P::Fixed x, typename P::Real distance, typename P::Real perUnit)
 {
-  return x + static_cast<typename P::Fixed>(roundToInt(distance * static_cast<typename P::Real>(inverseUnit)));
+  return x + static_cast<typename P::Fixed>(roundToInt(distance * perUnit));
 }
 
-/// The second half kick.
+/// Velocities and spins advance by \p halves half kicks: one at an event, two in a fused step.
 template <class P>
-GPUDEM_HD void finishGrain(const StepView<P> &s, double radius, const Vec3<typename P::Real> &force,
-                           const Vec3<typename P::Real> &torque, Motion<typename P::Real> &m)
+GPUDEM_HD void kickGrain(const StepView<P> &s, double radius, const Vec3<typename P::Real> &force,
+                         const Vec3<typename P::Real> &torque, typename P::Real halves,
+                         Motion<typename P::Real> &m)
 {
   using Real = typename P::Real;
-  const Real half = static_cast<Real>(s.halfKick);
   for (int k = 0; k < s.integrators; ++k) {
     const IntegratorView &it = s.integrator[k];
     if (!(m.mask & it.groupMask) || it.kind == IntegratorKind::Rotate) continue;
-    const Real perMass = half / m.mass;
+    const Real perMass = divide(halves * static_cast<Real>(s.halfKick), m.mass);
     const int fixed = it.kind == IntegratorKind::Prescribed ? it.prescribed : 0;
     if (!(fixed & 1)) m.vx += perMass * force.x;
     if (!(fixed & 2)) m.vy += perMass * force.y;
     if (!(fixed & 4)) m.vz += perMass * force.z;
     if (it.kind == IntegratorKind::NveSphere) {
       const Real r = static_cast<Real>(radius);
-      const Real perInertia = static_cast<Real>(s.halfKick / it.inertia) / (r * r * m.mass);
+      const Real perInertia = divide(halves * static_cast<Real>(it.halfKickPerInertia), r * r * m.mass);
       m.wx += perInertia * torque.x;
       m.wy += perInertia * torque.y;
       m.wz += perInertia * torque.z;
@@ -54,26 +54,31 @@ GPUDEM_HD void rotateGrain(const IntegratorView &it, const Vec3<double> &origin,
   v = cross(it.axis, arm) * it.angularFrequency;
 }
 
-/// The first half kick and the drift. \return whether any integrator moved the grain
+/// Positions advance by a step; prescribed motion sets positions and velocities.
+/// \return whether any integrator moved the grain
 template <class P>
-GPUDEM_HD bool beginGrain(const StepView<P> &s, std::uint32_t i, const Vec3<typename P::Real> &force,
-                          const Vec3<typename P::Real> &torque, FixedPosition<P> &p, Motion<typename P::Real> &m)
+GPUDEM_HD bool driftGrain(const StepView<P> &s, std::uint32_t i, FixedPosition<P> &p, Motion<typename P::Real> &m)
 {
   using Real = typename P::Real;
   using Fixed = typename P::Fixed;
-  const Real half = static_cast<Real>(s.halfKick);
-  const double unitBits = P::fine ? 18446744073709551616.0 : 4294967296.0;
+  const Frame &f = s.frame;
   bool moved = false;
   for (int k = 0; k < s.integrators; ++k) {
     const IntegratorView &it = s.integrator[k];
     if (!(m.mask & it.groupMask)) continue;
     moved = true;
+    if (it.kind == IntegratorKind::NveSphere) {
+      p.x = advance<P>(p.x, s.dt * m.vx, s.perUnit.x);
+      p.y = advance<P>(p.y, s.dt * m.vy, s.perUnit.y);
+      p.z = advance<P>(p.z, s.dt * m.vz, s.perUnit.z);
+      continue;
+    }
     if (it.kind == IntegratorKind::Rotate) {
       Vec3<double> x, v;
       rotateGrain(it, s.origin[i], x, v);
-      p.x = narrow<Fixed>(toFraction(x.x, s.frame.origin.x, s.frame.inverse.x));
-      p.y = narrow<Fixed>(toFraction(x.y, s.frame.origin.y, s.frame.inverse.y));
-      p.z = narrow<Fixed>(toFraction(x.z, s.frame.origin.z, s.frame.inverse.z));
+      p.x = narrow<Fixed>(toFraction(x.x, f.origin.x, f.inverse.x));
+      p.y = narrow<Fixed>(toFraction(x.y, f.origin.y, f.inverse.y));
+      p.z = narrow<Fixed>(toFraction(x.z, f.origin.z, f.inverse.z));
       m.vx = static_cast<Real>(v.x);
       m.vy = static_cast<Real>(v.y);
       m.vz = static_cast<Real>(v.z);
@@ -82,35 +87,24 @@ GPUDEM_HD bool beginGrain(const StepView<P> &s, std::uint32_t i, const Vec3<type
       m.wz = static_cast<Real>(it.angularFrequency * it.axis.z);
       continue;
     }
-    const Real perMass = half / m.mass;
-    const int fixed = it.kind == IntegratorKind::Prescribed ? it.prescribed : 0;
-    if (fixed & 1) {
+    const Vec3<double> to = s.origin[i] + it.displacement;
+    if (it.prescribed & 1) {
       m.vx = static_cast<Real>(it.velocity.x);
-      p.x = narrow<Fixed>(toFraction(s.origin[i].x + it.displacement.x, s.frame.origin.x, s.frame.inverse.x));
+      p.x = narrow<Fixed>(toFraction(to.x, f.origin.x, f.inverse.x));
     } else {
-      m.vx += perMass * force.x;
-      p.x = advance<P>(p.x, s.dt * m.vx, s.frame.inverse.x * unitBits);
+      p.x = advance<P>(p.x, s.dt * m.vx, s.perUnit.x);
     }
-    if (fixed & 2) {
+    if (it.prescribed & 2) {
       m.vy = static_cast<Real>(it.velocity.y);
-      p.y = narrow<Fixed>(toFraction(s.origin[i].y + it.displacement.y, s.frame.origin.y, s.frame.inverse.y));
+      p.y = narrow<Fixed>(toFraction(to.y, f.origin.y, f.inverse.y));
     } else {
-      m.vy += perMass * force.y;
-      p.y = advance<P>(p.y, s.dt * m.vy, s.frame.inverse.y * unitBits);
+      p.y = advance<P>(p.y, s.dt * m.vy, s.perUnit.y);
     }
-    if (fixed & 4) {
+    if (it.prescribed & 4) {
       m.vz = static_cast<Real>(it.velocity.z);
-      p.z = narrow<Fixed>(toFraction(s.origin[i].z + it.displacement.z, s.frame.origin.z, s.frame.inverse.z));
+      p.z = narrow<Fixed>(toFraction(to.z, f.origin.z, f.inverse.z));
     } else {
-      m.vz += perMass * force.z;
-      p.z = advance<P>(p.z, s.dt * m.vz, s.frame.inverse.z * unitBits);
-    }
-    if (it.kind == IntegratorKind::NveSphere) {
-      const Real r = static_cast<Real>(p.radius);
-      const Real perInertia = static_cast<Real>(s.halfKick / it.inertia) / (r * r * m.mass);
-      m.wx += perInertia * torque.x;
-      m.wy += perInertia * torque.y;
-      m.wz += perInertia * torque.z;
+      p.z = advance<P>(p.z, s.dt * m.vz, s.perUnit.z);
     }
   }
   return moved;

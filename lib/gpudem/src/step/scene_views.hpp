@@ -50,12 +50,12 @@ inline int componentBits(const std::array<bool, 3> &set)
 }
 
 /// Integrator whose coming positions belong to \p coming.
-inline IntegratorView integratorAt(const IntegratorSpec &spec, std::int64_t coming, double dt)
+inline IntegratorView integratorAt(const IntegratorSpec &spec, std::int64_t coming, double dt, double halfKick)
 {
   IntegratorView v{};
   v.kind = spec.kind;
   v.groupMask = spec.groupMask;
-  v.inertia = spec.inertia;
+  v.halfKickPerInertia = halfKick / spec.inertia;
   v.prescribed = componentBits(spec.prescribed);
   v.point = toVec3(spec.point);
   v.axis = toVec3(spec.axis);

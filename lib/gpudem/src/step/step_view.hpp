@@ -71,7 +71,7 @@ struct TermView {
 struct IntegratorView {
   IntegratorKind kind;
   std::uint32_t groupMask;
-  double inertia;
+  double halfKickPerInertia;      ///< dt/2 over the inertia factor
   int prescribed;                 ///< bits 0..2
   Vec3<double> displacement;      ///< Prescribed: from the origin at the coming step (distance)
   Vec3<double> velocity;          ///< Prescribed: at the coming step (distance/time)
@@ -95,6 +95,7 @@ struct StepView {
   const std::uint32_t *anchor;    ///< [n] quantised position at the last rebuild and the near-wall bit
   AnchorRule anchorRule;
   Frame frame;
+  Vec3<Real> perUnit;             ///< fixed-point units per distance
   float reachSlack;               ///< added to a sum of radii so that the coarse test misses no contact
 
   LawCoefficients<Real> law;

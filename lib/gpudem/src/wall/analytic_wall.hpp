@@ -57,6 +57,7 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   Contact<Real> c;
   c.branch = gap.branch.template as<Real>();
   c.distance = static_cast<Real>(gap.distance);
+  c.inverseDistance = static_cast<Real>(1.0 / gap.distance);
   c.overlap = static_cast<Real>(radius - gap.distance);
   c.effectiveRadius = static_cast<Real>(
       gap.curvature == 0.0 ? radius : radius * gap.curvature / (gap.curvature + radius));

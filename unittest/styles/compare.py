@@ -32,10 +32,10 @@ def _say(what, measured):
 
 
 def compare_dumps(test, stock, ours, tolerance, diameter=1.0, first=0, what=""):
-    """Every snapshot of both dumps; returns {field: largest relative difference}."""
+    """Every snapshot of both dumps; returns whether isolated grains differ more than the others may."""
     test.assertEqual(sorted(stock), sorted(ours), "the dumps hold different steps")
     test.assertTrue(stock, "the dump is empty")
-    measured, problems = {}, []
+    measured, problems, isolated = {}, [], False
     for step in sorted(stock):
         if step < first:
             continue
@@ -58,6 +58,7 @@ def compare_dumps(test, stock, ours, tolerance, diameter=1.0, first=0, what=""):
             if relative > allowed and relative <= allowed * tolerance.isolated_factor:
                 beyond = np.abs(a[:, columns] - b[:, columns]).max(axis=1) > allowed * scale
                 if beyond.sum() <= tolerance.isolated_fraction * len(a):
+                    isolated = True
                     continue
             if relative > allowed:
                 worst = np.unravel_index(np.abs(a[:, columns] - b[:, columns]).argmax(), (len(a), len(columns)))
@@ -68,11 +69,14 @@ def compare_dumps(test, stock, ours, tolerance, diameter=1.0, first=0, what=""):
     _say(f"{test.id()} {what} dump", measured)
     if problems:
         test.fail(f"{what} ({tolerance.reason})\n" + "\n".join(problems[:12]))
-    return measured
+    return isolated
 
 
-def compare_thermo(test, stock, ours, tolerance, what="", skip=(), special=None):
-    """Every line of every run of two logs. special: {column: its own relative tolerance}."""
+def compare_thermo(test, stock, ours, tolerance, what="", skip=(), special=None, disturbed=False):
+    """Every line of every run of two logs.
+
+    special: {column: its own relative tolerance}; disturbed: what compare_dumps() returned for these runs.
+    """
     test.assertEqual(len(stock), len(ours), "the logs hold different numbers of runs")
     test.assertTrue(stock, "the log holds no thermodynamic output")
     measured, problems = {}, []
@@ -92,6 +96,8 @@ def compare_thermo(test, stock, ours, tolerance, what="", skip=(), special=None)
             if not np.isfinite(b[:, k]).all():
                 relative = np.inf
             ordinary = tolerance.force if stem in FORCE_SUMS else tolerance.thermo
+            if disturbed:
+                ordinary = max(ordinary, tolerance.disturbed_thermo)
             allowed = 0.0 if name in THERMO_EXACT else (special or {}).get(name, ordinary)
             measured[name] = max(measured.get(name, 0.0), relative)
             if relative > allowed:
@@ -100,4 +106,3 @@ def compare_thermo(test, stock, ours, tolerance, what="", skip=(), special=None)
     _say(f"{test.id()} {what} thermo", measured)
     if problems:
         test.fail(f"{what} ({tolerance.reason})\n" + "\n".join(problems))
-    return measured

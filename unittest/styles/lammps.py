@@ -83,7 +83,9 @@ class StylesTest(unittest.TestCase):
             arguments = ["-sf", "gpudem"] if gpudem else []
         command = [executable or (GPUDEM if gpudem else STOCK), *arguments, "-in", "in.test", "-log", "log.test",
                    "-nocite"]
-        if ranks > 1:
+        if ranks == 1:   # a process of its own needs no daemon and no network: starts in a tenth of the time
+            env.update(OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_btl="self", OMPI_MCA_pml="ob1", OMPI_MCA_osc="^ucx")
+        else:
             command = [MPIRUN, "--oversubscribe", "-np", str(ranks), *command]
         try:
             done = subprocess.run(command, cwd=directory, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,

@@ -20,8 +20,7 @@ LAWS = {
 }
 BOX = dict(boundary="f f f")
 BOXED = dict(margin=(0.05, 0.05, 0.05))
-# a seed without a contact that closes one step sooner in single precision (see MIXED)
-CYLINDER = dict(centred=True, margin=(0.05, 0.05, 0), seed=2)
+CYLINDER = dict(centred=True, margin=(0.05, 0.05, 0))
 CONTACTS = "f_w[1] f_w[2] f_w[3] f_w[4] f_w[5] f_w[6] f_w[7] f_w[8]"
 # a floor of grains of type 2
 FLOORED = dict(frozen_layer=True, margin=(0, 0, 0.5))
@@ -161,8 +160,8 @@ class FixesTest(StylesTest):
             self.assertResident(ours)
             if case.says:
                 self.assertIn(case.says, ours.everything)
-            compare_dumps(self, stock.dump(), ours.dump(), tolerance, scenes.DIAMETER, what=precision)
-            compare_thermo(self, stock.thermo(), ours.thermo(), tolerance, what=precision)
+            disturbed = compare_dumps(self, stock.dump(), ours.dump(), tolerance, scenes.DIAMETER, what=precision)
+            compare_thermo(self, stock.thermo(), ours.thermo(), tolerance, what=precision, disturbed=disturbed)
 
 
 def _tests(cases):

@@ -77,7 +77,8 @@ def main():
                 seconds[name].append(time / count)
                 energies.setdefault(count, []).append(energy)
         for values in energies.values():
-            if max(values) - min(values) > 1e-5 * abs(values[0]):
+            # thousands of steps decorrelate single grains; the bulk must agree
+            if max(values) - min(values) > 1e-4 * abs(values[0]):
                 sys.exit(f"the programs disagree about the kinetic energy: {values}")
         cells = []
         for name, _, _ in listed:

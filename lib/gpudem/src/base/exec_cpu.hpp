@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -28,10 +27,10 @@ class CpuExec {
   std::string name() const { return "CPU, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads"); }
   std::size_t capacity() const { return 0; }
 
-  static void *allocate(std::size_t bytes, const char *)
+  static void *allocate(std::size_t bytes, const char *name)
   {
     void *p = std::aligned_alloc(64, (bytes + 63) / 64 * 64);
-    if (!p) throw std::bad_alloc();
+    if (!p) throw OutOfMemory("out of memory: array '" + std::string(name) + "' needs " + std::to_string(bytes) + " bytes");
     return p;
   }
   static void release(void *p) noexcept { std::free(p); }

@@ -8,7 +8,7 @@
 #include "gpudem/engine.h"
 #include "neighbor/layout.hpp"
 #include "neighbor/place.hpp"
-#include "neighbor/rows.hpp"
+#include "neighbor/row_chunk.hpp"
 #include "step/contact_chunk.hpp"
 #include "step/observables.hpp"
 #include "step/scene_views.hpp"
@@ -68,6 +68,9 @@ class EngineImpl final : public Engine {
   PositionArrays positions(int which) { return {coarse_[which].data(), P::fine ? fine_[which].data() : nullptr}; }
   void resetStatus();
   void reserveParticles();
+  std::size_t bytesPerGrain() const;
+  template <class Work>
+  void explainMemory(const Work &work);
   StepView<P> view(const StepInputs &in, std::int64_t coming);
   void runEvent(const StepInputs &in, const Recording &record, bool advance, bool finish);
   void launchContacts(const StepView<P> &v, StepMode mode);
@@ -78,7 +81,10 @@ class EngineImpl final : public Engine {
   void collectObservables(const Recording &record);
 
   void extractSprings();
+  void rebuildIn(const CellGrid &fresh);
   void buildRows();
+  template <bool history>
+  void fillRows(const BuildView<P> &v);
   void setAnchors();
   template <class T>
   void permute(Array<T> &a, Array<T> &scratch);

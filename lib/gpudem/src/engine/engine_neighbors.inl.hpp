@@ -7,6 +7,9 @@
 
 namespace gpudem {
 
+/// Number of pieces of \p size that hold \p count.
+inline std::uint32_t chunksOf(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
+
 inline BoxView toBoxView(const Box &box)
 {
   return {toVec3(box.lo), toVec3(box.hi), {box.periodic[0], box.periodic[1], box.periodic[2]}};
@@ -71,11 +74,21 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
     if (fresh.size[d] * 2.0 > frame_.window[d])
       throw Error(fmt::format("the box grew so much in direction {} that the cells ({:g}) no longer fit the "
                               "coordinate window ({:g})", "xyz"[d], fresh.size[d], frame_.window[d]));
+  explainMemory([&] { rebuildIn(fresh); });
+  storeFresh_ = false;
+  rowsValid_ = true;
+  resetStatus();
+}
+
+/// The rebuild proper, into cells that are known to be good.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
+{
   if (scene_.pair.hasHistory() && !storeFresh_) extractSprings();
 
   key_.reserve(count_);
   order_.reserve(count_);
-  exec_.forEach(count_, PlaceGrains<P>{positions(posNow_), cell_.data(), grid_, fresh, frame_, toBoxView(box),
+  exec_.forEach(count_, PlaceGrains<P>{positions(posNow_), cell_.data(), grid_, fresh, frame_, toBoxView(box_),
                                        image_.data(), key_.data()});
   grid_ = fresh;
   exec_.sort(key_, cell_, order_, count_, grid_.cells());
@@ -100,9 +113,6 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
 
   buildRows();
   setAnchors();
-  storeFresh_ = false;
-  rowsValid_ = true;
-  resetStatus();
 }
 
 template <class Exec, class P>
@@ -143,7 +153,9 @@ void EngineImpl<Exec, P>::buildRows()
   sliceWords_.reserve(slices);
   rowStart_.reserve(slices + 1);
   maskStart_.reserve(slices + 1);
-  exec_.forEach(count_, CountNeighbors<P>{v, rowCount_.data()});
+  const CountNeighbors<P> countPass{v, rowCount_.data()};
+  if constexpr (W == 1) exec_.forEachChunk(chunksOf(count_, CountNeighborsChunk<P>::chunk), CountNeighborsChunk<P>{countPass});
+  else exec_.forEach(count_, countPass);
   exec_.forEach(slices, SliceWidths<W>{count_, rowCount_.data(), sliceEntries_.data(), sliceWords_.data()});
   entries_ = exec_.exclusiveScan(sliceEntries_.data(), rowStart_.data(), slices);
   const std::uint64_t words = exec_.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices);
@@ -155,14 +167,22 @@ void EngineImpl<Exec, P>::buildRows()
   if (scene_.pair.hasHistory()) {
     touch_.reserveWithSlack(words);
     spring_.reserveWithSlack(3 * entries_);
-    const ContactStore<Real> store{storeOffset_.data(), storePartner_.data(), storeSpring_.data()};
-    exec_.forEach(count_, FillRows<P, true, W>{v, rowStart_.data(), maskStart_.data(), rowCount_.data(),
-                                               neighbor_.data(), touch_.data(), spring_.data(), store,
-                                               order_.data()});
+    fillRows<true>(v);
   } else {
-    exec_.forEach(count_, FillRows<P, false, W>{v, rowStart_.data(), maskStart_.data(), rowCount_.data(),
-                                                neighbor_.data(), nullptr, nullptr, {}, order_.data()});
+    fillRows<false>(v);
   }
+}
+
+template <class Exec, class P>
+template <bool history>
+void EngineImpl<Exec, P>::fillRows(const BuildView<P> &v)
+{
+  const ContactStore<Real> store{storeOffset_.data(), storePartner_.data(), storeSpring_.data()};
+  const FillRows<P, history, W> pass{v, rowStart_.data(), maskStart_.data(), rowCount_.data(), neighbor_.data(),
+                                     touch_.data(), spring_.data(), store, order_.data()};
+  if constexpr (W == 1)
+    exec_.forEachChunk(chunksOf(count_, FillRowsChunk<P, history>::chunk), FillRowsChunk<P, history>{pass});
+  else exec_.forEach(count_, pass);
 }
 
 template <class Exec, class P>

@@ -113,8 +113,7 @@ void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
     constexpr T t = decltype(tangential)::value;
     const bool walls = !scene_.walls.empty();
     if constexpr (W == 1) {
-      const std::uint32_t chunks = (count_ + 63) / 64;
-      static_assert(ContactChunk<P, n, t, mode, false>::chunk == 64);
+      const std::uint32_t chunks = chunksOf(count_, ContactChunk<P, n, t, mode, false>::chunk);
       if (walls) exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, true>{v});
       else exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, false>{v});
     } else {

@@ -32,6 +32,39 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   return {b, exec_.capacity()};
 }
 
+/// What a grain of this scene takes on the device, for messages: measured rows if there are any, ten entries if not.
+template <class Exec, class P>
+std::size_t EngineImpl<Exec, P>::bytesPerGrain() const
+{
+  const double entries = report_.entriesPerGrain > 0.0 ? report_.entriesPerGrain : 10.0;
+  std::size_t b = 2 * (sizeof(CoarsePosition) + sizeof(Motion<Real>) + (P::fine ? sizeof(FinePosition) : 0));
+  b += 14 * sizeof(std::uint32_t) + 3 * sizeof(Vec3<Real>);   // indices, flags, keys; forces, torques, scratch
+  b += static_cast<std::size_t>(entries * sizeof(std::uint32_t));
+  if (scene_.pair.hasHistory())   // springs in the rows and, for some six contacts, in the store
+    b += static_cast<std::size_t>(entries * 3 * sizeof(Real)) + 6 * (3 * sizeof(Real) + sizeof(std::int32_t));
+  for (const WallSpec &wall : scene_.walls)
+    if (wall.law.hasHistory()) b += sizeof(Vec3<Real>);
+  return b;
+}
+
+/// Run \p work; if memory runs out, say how many grains would have fitted.
+template <class Exec, class P>
+template <class Work>
+void EngineImpl<Exec, P>::explainMemory(const Work &work)
+{
+  const auto fitting = [&] {
+    const std::size_t capacity = exec_.capacity();
+    if (!capacity) return std::string();
+    return fmt::format("; about {} atoms of this scene fit into the device's {} bytes ({} bytes each)",
+                       capacity / bytesPerGrain(), capacity, bytesPerGrain());
+  };
+  try {
+    work();
+  } catch (const OutOfMemory &e) {
+    throw OutOfMemory(fmt::format("{}, with {} atoms{}", e.what(), count_, fitting()));
+  }
+}
+
 template <class Exec, class P>
 void EngineImpl<Exec, P>::reserveParticles()
 {
@@ -91,7 +124,7 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
       throw Error(fmt::format("the periodic box is {:g} long in {}, shorter than twice the interaction range {:g}",
                               box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_)));
   }
-  reserveParticles();
+  explainMemory([&] { reserveParticles(); });
   if (count_) {
     for (std::uint32_t i = 0; i < count_; ++i)
       if (!(host.radius[i] > 0.0) || !(host.mass[i] > 0.0))

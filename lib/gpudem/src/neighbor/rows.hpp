@@ -129,6 +129,13 @@ struct FillRows {
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
+    fillRow(i, [&](auto &&visit) { forEachNeighbor(v, i, visit); });
+  }
+
+  /// \param neighbors calls its argument with each neighbour of grain i, in the order of the cells
+  template <class Neighbors>
+  GPUDEM_HD void fillRow(std::uint32_t i, Neighbors &&neighbors) const
+  {
     const std::uint32_t slice = i / W, lane = i % W;
     const std::uint32_t base = start[slice] + lane;
     std::uint32_t *word = history ? touch + maskStart[slice] + lane : nullptr;
@@ -141,7 +148,7 @@ struct FillRows {
     }
     const FixedPosition<P> p = loadPosition<P>(v.position, i);
     std::uint32_t front = 0, back = length[i];
-    forEachNeighbor(v, i, [&](std::uint32_t j) {
+    neighbors([&](std::uint32_t j) {
       const FixedPosition<P> q = loadPosition<P>(v.position, j);
       const Vec3<double> d = separation(p, q, v.frame);
       const double reach = p.radius + q.radius;

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The neighbour search on the CPU: grains of one cell share their candidates, which are tested in SIMD lanes.
+///
+/// Same candidates, same test and same order as rows.hpp, so the rows are the same.
+#pragma once
+
+#include "neighbor/rows.hpp"
+
+#include <vector>
+
+namespace gpudem {
+
+/// Candidates of one cell, one array per quantity.
+struct CandidateList {
+  std::vector<std::uint32_t> x, y, z, index;
+  std::vector<float> radius;
+  std::vector<std::uint8_t> near;
+
+  std::size_t size() const { return index.size(); }
+  void clear()
+  {
+    x.clear();
+    y.clear();
+    z.clear();
+    index.clear();
+    radius.clear();
+  }
+  void add(const CoarsePosition &p, std::uint32_t j)
+  {
+    x.push_back(p.x);
+    y.push_back(p.y);
+    z.push_back(p.z);
+    radius.push_back(p.radius);
+    index.push_back(j);
+  }
+};
+
+template <class P>
+void collectCandidates(const BuildView<P> &v, std::uint32_t cell, CandidateList &list)
+{
+  list.clear();
+  const Vec3<int> c = v.grid.coordinates(cell);
+  int x0, x1, y0, y1, z0, z1;
+  neighbourRange(v.grid.nx, v.grid.wrapX, c.x, x0, x1);
+  neighbourRange(v.grid.ny, v.grid.wrapY, c.y, y0, y1);
+  neighbourRange(v.grid.nz, v.grid.wrapZ, c.z, z0, z1);
+  for (int oz = z0; oz <= z1; ++oz)
+    for (int oy = y0; oy <= y1; ++oy)
+      for (int ox = x0; ox <= x1; ++ox) {
+        const std::uint32_t other = v.grid.index(wrapCell(c.x + ox, v.grid.nx), wrapCell(c.y + oy, v.grid.ny),
+                                                 wrapCell(c.z + oz, v.grid.nz));
+        for (std::uint32_t j = v.cellFirst[other]; j < v.cellEnd[other]; ++j) list.add(v.position.coarse[j], j);
+      }
+}
+
+/// Mark the candidates within reach of grain i (itself included).
+template <class P>
+void testCandidates(const BuildView<P> &v, std::uint32_t i, CandidateList &list)
+{
+  const CoarsePosition p = v.position.coarse[i];
+  const float ux = static_cast<float>(v.frame.unit32.x), uy = static_cast<float>(v.frame.unit32.y),
+              uz = static_cast<float>(v.frame.unit32.z);
+  const float slack = v.skin, more = v.reachSlack;
+  const std::size_t size = list.size();
+  list.near.resize(size);
+  const std::uint32_t *x = list.x.data(), *y = list.y.data(), *z = list.z.data();
+  const float *radius = list.radius.data();
+  std::uint8_t *near = list.near.data();
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < size; ++k) {
+    const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - x[k])) * ux;
+    const float dy = static_cast<float>(static_cast<std::int32_t>(p.y - y[k])) * uy;
+    const float dz = static_cast<float>(static_cast<std::int32_t>(p.z - z[k])) * uz;
+    const float reach = (p.radius + radius[k]) * 1.000001f + slack + more;
+    near[k] = dx * dx + dy * dy + dz * dz < reach * reach ? 1 : 0;
+  }
+}
+
+/// Call row(i, neighbours) for the grains of a chunk; neighbours calls its argument with each neighbour.
+template <class P, class Row>
+void forEachRow(const BuildView<P> &v, std::uint32_t begin, std::uint32_t end, Row &&row)
+{
+  CandidateList list;
+  const bool anyExclusion = v.exclude.groups > 0 || v.exclude.typeTable != nullptr;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    if (i == begin || v.cell[i] != v.cell[i - 1]) collectCandidates(v, v.cell[i], list);
+    testCandidates(v, i, list);
+    row(i, [&](auto &&visit) {
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        if (!list.near[k]) continue;
+        const std::uint32_t j = list.index[k];
+        if (j == i) continue;
+        if (anyExclusion &&
+            v.exclude.excluded(v.motion[i].mask, v.motion[j].mask, v.type[i], v.type[j]))
+          continue;
+        visit(j);
+      }
+    });
+  }
+}
+
+/// The two passes of the search over chunks of grains.
+template <class P>
+struct CountNeighborsChunk {
+  static constexpr std::uint32_t chunk = 256;
+  CountNeighbors<P> pass;
+  void operator()(std::uint32_t c) const
+  {
+    const std::uint32_t begin = c * chunk, end = std::min(pass.v.count, begin + chunk);
+    forEachRow(pass.v, begin, end, [&](std::uint32_t i, auto &&neighbors) {
+      std::uint32_t n = 0;
+      neighbors([&](std::uint32_t) { ++n; });
+      pass.out[i] = n;
+    });
+  }
+};
+
+template <class P, bool history>
+struct FillRowsChunk {
+  static constexpr std::uint32_t chunk = 256;
+  FillRows<P, history, 1> pass;
+  void operator()(std::uint32_t c) const
+  {
+    const std::uint32_t begin = c * chunk, end = std::min(pass.v.count, begin + chunk);
+    forEachRow(pass.v, begin, end, [&](std::uint32_t i, auto &&neighbors) { pass.fillRow(i, neighbors); });
+  }
+};
+
+}  // namespace gpudem

@@ -10,6 +10,7 @@
 #include "verlet_gpudem.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace LAMMPS_NS;
 
@@ -37,18 +38,45 @@ void FixNeighHistoryGpudem::write_restart(FILE *fp)
   FixNeighHistory::write_restart(fp);
 }
 
+/// Do both grains of the contact hold it, with opposite springs?
+/// delete_atoms renumbers atoms but not the partners stored here, so that an entry may name the wrong grain.
+bool FixNeighHistoryGpudem::isMutual(int owner, int entry, const std::vector<int> &localOf) const
+{
+  const tagint wanted = partner[owner][entry];
+  if (wanted < 0 || wanted >= static_cast<tagint>(localOf.size()) || localOf[wanted] < 0) return false;
+  const int other = localOf[wanted];
+  const double *mine = valuepartner[owner] + 3 * entry;
+  for (int k = 0; k < npartner[other]; ++k) {
+    if (partner[other][k] != atom->tag[owner]) continue;
+    const double *theirs = valuepartner[other] + 3 * k;
+    double sum = 0.0, size = 0.0;
+    for (int d = 0; d < 3; ++d) {
+      sum += std::fabs(mine[d] + theirs[d]);
+      size += std::fabs(mine[d]) + std::fabs(theirs[d]);
+    }
+    constexpr double roundOff = 1.0e-3;   // of single precision sums; the spring of another contact differs by its size
+    return sum <= roundOff * size;
+  }
+  return false;
+}
+
 void FixNeighHistoryGpudem::exportTo(gpudem::ContactHistory &history) const
 {
   const int nlocal = atom->nlocal;
+  const tagint *tag = atom->tag;
+  const tagint largest = nlocal ? *std::max_element(tag, tag + nlocal) : 0;
+  std::vector<int> localOf(static_cast<std::size_t>(largest) + 1, -1);
+  for (int i = 0; i < nlocal; ++i) localOf[tag[i]] = i;
   history.offset.assign(nlocal + 1, 0);
-  for (int i = 0; i < nlocal; ++i) history.offset[i + 1] = history.offset[i] + static_cast<unsigned>(npartner[i]);
   history.partner.clear();
   history.spring.clear();
-  history.partner.reserve(history.offset[nlocal]);
-  history.spring.reserve(3 * static_cast<std::size_t>(history.offset[nlocal]));
   for (int i = 0; i < nlocal; ++i) {
-    history.partner.insert(history.partner.end(), partner[i], partner[i] + npartner[i]);
-    history.spring.insert(history.spring.end(), valuepartner[i], valuepartner[i] + 3 * npartner[i]);
+    for (int m = 0; m < npartner[i]; ++m) {
+      if (!isMutual(i, m, localOf)) continue;
+      history.partner.push_back(partner[i][m]);
+      history.spring.insert(history.spring.end(), valuepartner[i] + 3 * m, valuepartner[i] + 3 * m + 3);
+    }
+    history.offset[i + 1] = static_cast<std::uint32_t>(history.partner.size());
   }
 }
 

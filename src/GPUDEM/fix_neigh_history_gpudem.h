@@ -6,6 +6,8 @@
 #include "fix_neigh_history.h"
 #include "gpudem/engine.h"
 
+#include <vector>
+
 namespace LAMMPS_NS {
 
 /// Stock contact history whose per-atom partner lists can be exchanged with the device.
@@ -32,6 +34,8 @@ class FixNeighHistoryGpudem : public FixNeighHistory {
   void setSynchroniser(class VerletGpudem *owner) { synchroniser = owner; }
 
  private:
+  bool isMutual(int owner, int entry, const std::vector<int> &localOf) const;
+
   bool resident = false;                     ///< per-atom lists are the only host copy
   class VerletGpudem *synchroniser = nullptr;  ///< set while the device holds the springs
 };

@@ -84,7 +84,8 @@ class StylesTest(unittest.TestCase):
         command = [executable or (GPUDEM if gpudem else STOCK), *arguments, "-in", "in.test", "-log", "log.test",
                    "-nocite"]
         if ranks == 1:   # a process of its own needs no daemon and no network: starts in a tenth of the time
-            env.update(OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_btl="self", OMPI_MCA_pml="ob1", OMPI_MCA_osc="^ucx")
+            env.update(OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_btl="self", OMPI_MCA_pml="ob1", OMPI_MCA_osc="^ucx",
+                       OMPI_MCA_orte_tmpdir_base=str(directory))
         else:
             command = [MPIRUN, "--oversubscribe", "-np", str(ranks), *command]
         try:

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The GPUDEM developers
 #include "fix_gravity_gpudem.h"
 
+#include "atom.h"
 #include "formula.h"
 #include "input.h"
 #include "modify.h"
@@ -18,7 +19,9 @@ FixGravityGpudem::FixGravityGpudem(LAMMPS *lmp, int narg, char **arg) : FixGravi
 
 void FixGravityGpudem::post_force(int vflag)
 {
-  if (!onDevice) FixGravity::post_force(vflag);
+  if (onDevice) return;
+  FixGravity::post_force(vflag);
+  sumIsStale = false;
 }
 
 ResidentVerdict FixGravityGpudem::resident()
@@ -32,6 +35,7 @@ ResidentVerdict FixGravityGpudem::resident()
 void FixGravityGpudem::describe(gpudem::SceneSpec &scene)
 {
   if (disable) return;
+  sumIsStale = true;
   gpudem::ForceTerm t;
   t.kind = gpudem::ForceTermKind::Gravity;
   t.groupMask = static_cast<unsigned>(groupbit);
@@ -63,9 +67,22 @@ gpudem::Array3 FixGravityGpudem::value()
   return {xacc, yacc, zacc};
 }
 
+/// The stock class sums while it adds the force; after a run on the device the host's arrays give the same.
+double FixGravityGpudem::hostPotential() const
+{
+  double own = 0.0, all = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double *x = atom->x[i];
+    own -= atom->rmass[i] * (xacc * x[0] + yacc * x[1] + zacc * x[2]);
+  }
+  MPI_Allreduce(&own, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
 double FixGravityGpudem::compute_scalar()
 {
   VerletGpudem *device = onDevice ? VerletGpudem::active(lmp) : nullptr;
-  if (!device) return FixGravity::compute_scalar();
-  return -device->kineticSums(static_cast<unsigned>(groupbit), {xacc, yacc, zacc}).gravity;
+  if (device) return -device->kineticSums(static_cast<unsigned>(groupbit), {xacc, yacc, zacc}).gravity;
+  return sumIsStale ? hostPotential() : FixGravity::compute_scalar();
 }

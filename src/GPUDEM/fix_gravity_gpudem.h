@@ -21,7 +21,10 @@ class FixGravityGpudem : public FixGravity, public ResidentFix {
   double compute_scalar() override;
 
  private:
-  std::string word;   ///< style as the script spells it
+  double hostPotential() const;
+
+  std::string word;             ///< style as the script spells it
+  bool sumIsStale = false;      ///< the device acted since the stock class last summed its scalar
 };
 
 }  // namespace LAMMPS_NS

@@ -33,6 +33,10 @@ class Thermo(StylesTest):
     def test_energy_of_gravity(self):
         self.check(scenes.scene(NVE + DOWN + "fix_modify down energy yes", thermo=KEYWORDS + " f_down", every=20))
 
+    def test_energy_of_gravity_between_runs(self):
+        """The scalar is asked for while the particles are on the host again."""
+        self.check(scenes.scene(NVE + DOWN, thermo=KEYWORDS + " f_down", every=20, after="run 40\nrun 40 pre no\n"))
+
     def test_pressure_of_history_free_style(self):
         self.check(scenes.scene(NVE, thermo=KEYWORDS, pair=scenes.HOOKE, every=20))
 

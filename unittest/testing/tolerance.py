@@ -68,7 +68,7 @@ SHRINK_WRAP_SKINS = 1.0
 CHUTE_MIXED_ENERGY = 1e-6
 
 # Bulk of a poured heap, which is chaotic: means over thousands of grains, in different micro-states.
-# The spread between stock runs on one and two ranks is of the same size.
 BULK_HEIGHT = 0.02          # relative, mean height of the heap
 BULK_SIGMAS = 4.0           # contacts per grain c of n grains: standard error of a difference, sqrt(4 c / n), times this
+BULK_FLOW_SPREAD = 0.13     # contacts per grain of the 3000 grains flowing: spread of stock runs that differ in skin only
 BULK_ENERGY_BAND = 0.25     # relative, kinetic energy while pouring

@@ -4,6 +4,7 @@ set(LAMMPS_SOURCE_ROOT "${LAMMPS_SOURCE_DIR}")
 if(LAMMPS_SOURCE_ROOT AND EXISTS "${LAMMPS_SOURCE_ROOT}/version.h")
   get_filename_component(LAMMPS_SOURCE_ROOT "${LAMMPS_SOURCE_ROOT}" DIRECTORY)
 endif()
+unset(GPUDEM_LAMMPS_INCLUDE CACHE)   # follows LAMMPS_SOURCE_DIR when that changes
 find_path(GPUDEM_LAMMPS_INCLUDE version.h PATHS "${LAMMPS_SOURCE_ROOT}/src" NO_DEFAULT_PATH)
 find_library(GPUDEM_LAMMPS_LIBRARY NAMES lammps liblammps.so.0)
 find_program(GPUDEM_STOCK_LMP NAMES lmp)
@@ -38,4 +39,7 @@ if(NOT TARGET GpudemLammps::lammps)
   target_link_libraries(GpudemLammps::lammps INTERFACE ${GPUDEM_LAMMPS_LIBRARY})
   target_compile_definitions(GpudemLammps::lammps INTERFACE
     LAMMPS_SMALLBIG GPUDEM_LAMMPS_VERSION=${GPUDEM_LAMMPS_VERSION})
+  # LAMMPS brings its own fmt, compiled into liblammps: the library's header-only setting would compile it again
+  # here and, since the plugin is searched first, replace the one of liblammps
+  target_compile_options(GpudemLammps::lammps INTERFACE -UFMT_HEADER_ONLY)
 endif()

@@ -1,5 +1,5 @@
 # Shared by the scripts: where things are, messages, packages.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2034
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=${GPUDEM_BUILD_DIR:-$root/build}
 deps=$root/build/deps

@@ -298,6 +298,27 @@ TEST_P(EngineTest, BadInputIsNamed)
   EXPECT_NE(message(Grains(), small, 0).find("shorter than twice"), std::string::npos);
 }
 
+/// Grains placed exactly side by side do not touch: no damping, no friction, whatever their velocities.
+TEST_P(EngineTest, ExactNeighboursOnALatticeAreNoContacts)
+{
+  Box box;
+  box.lo = {0.1, 0.2, 0.3};
+  box.hi = {10.1, 10.2, 10.3};
+  box.periodic = {true, true, true};
+  Grains start;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> u(-1.0, 1.0);
+  for (int k = 0; k < 1000; ++k)
+    start.add({0.1 + k % 10, 0.2 + k / 10 % 10, 0.3 + k / 100}, {u(random), u(random), u(random)},
+              {u(random), u(random), u(random)}, 0.5, 1.0);
+  Case c{"", NormalModel::Hooke, TangentialModel::Viscous, box.periodic, 3};
+  SceneSpec scene = makeScene(c, box, 0.5);
+  scene.terms.clear();
+  const std::unique_ptr<Engine> engine = make();
+  Driver driver(*engine, scene, box, start);
+  EXPECT_EQ(largest(driver.read().f), 0.0);
+}
+
 /// A big grain among small ones: rows of any length are kept.
 TEST_P(EngineTest, LongRowsLoseNothing)
 {

@@ -34,14 +34,15 @@ struct ContactChunk {
       FixedPosition<P> p = loadPosition<P>(s.in, i);
       Motion<Real> m = s.motionIn[i];
       const std::uint32_t g = i - begin;
-      completeGrain<mode, walls>(s, i, p, m, sums.force[g], sums.torque[g], sums.virial[g]);
+      completeGrain<mode, walls>(s, i, p, m, sums.force[g], sums.torque[g], sums.virialOf(g));
     }
   }
 
  private:
   struct Sums {
     Vec3<Real> force[chunk] = {}, torque[chunk] = {};
-    Real virial[mode == StepMode::Event ? chunk : 1][6] = {};
+    Real virial[mode == StepMode::Event ? chunk : 1][6] = {};   ///< a fused step keeps none
+    Real *virialOf(std::uint32_t g) { return virial[mode == StepMode::Event ? g : 0]; }
   };
 
   /// Contacts waiting for the law, one array per quantity.
@@ -144,7 +145,7 @@ struct ContactChunk {
         slot[2] = b.sz[n];
       }
       if (mode == StepMode::Event && s.virial)
-        addVirial(Vec3<Real>{b.bx[n], b.by[n], b.bz[n]}, force, sums.virial[g]);
+        addVirial(Vec3<Real>{b.bx[n], b.by[n], b.bz[n]}, force, sums.virialOf(g));
     }
     b.size = 0;
   }

@@ -33,7 +33,8 @@ GPUDEM_HD std::uint32_t mayTouch(const StepView<P> &s, std::uint32_t entry, cons
   return dx * dx + dy * dy + dz * dz < reach * reach ? 1u : 0u;
 }
 
-/// \return false if the grains do not touch; exact, and the same from both sides
+/// \return false if the grains do not touch, or overlap by less than the coordinates resolve (grains placed exactly
+/// side by side, as on a lattice); the same from both sides
 template <class P>
 GPUDEM_HD bool gatherPair(const StepView<P> &s, std::uint32_t j, const FixedPosition<P> &p,
                           const Motion<typename P::Real> &m, GatheredPair<typename P::Real> &g)
@@ -43,7 +44,7 @@ GPUDEM_HD bool gatherPair(const StepView<P> &s, std::uint32_t j, const FixedPosi
   const Vec3<double> branch = separation(p, q, s.frame);
   const double reach = p.radius + q.radius;
   const double room2 = reach * reach - dot(branch, branch);
-  if (!(room2 > 0.0)) return false;
+  if (!(room2 > reach * s.touchMargin)) return false;
   const Motion<Real> o = s.motionIn[j];
   const Real ri = static_cast<Real>(p.radius), rj = static_cast<Real>(q.radius);
   g.branch = branch.template as<Real>();

@@ -98,6 +98,8 @@ struct StepView {
   Vec3<Real> perUnit;             ///< fixed-point units per distance
   float reachSlack;               ///< added to a sum of radii so that the coarse test misses no contact
 
+  double touchMargin;             ///< twice the resolution of a distance: less overlap is no contact (distance)
+
   LawCoefficients<Real> law;
   std::uint32_t frozenMask;
   Real dt;

@@ -141,18 +141,19 @@ void classify(LAMMPS *lmp, ResidentPlan &plan)
 void checkThermo(LAMMPS *lmp, ResidentPlan &plan)
 {
   const GpudemCompat::ThermoInputs in = GpudemCompat::thermoInputs(lmp->output->thermo);
-  std::string culprit;
+  std::vector<std::string> readers;
   for (Compute *c : in.computes)
     if (!dynamic_cast<ResidentCompute *>(c) && strcmp(c->style, "pressure") != 0 && strcmp(c->style, "pe") != 0)
-      culprit = fmt::format("compute {} ({})", c->id, c->style);
+      readers.push_back(fmt::format("compute {} ({})", c->id, c->style));
   for (Fix *f : in.fixes)
     if (!dynamic_cast<ResidentFix *>(f) && !utils::strmatch(f->style, "^ave/") && !utils::strmatch(f->style, "^pour"))
-      culprit = fmt::format("fix {} ({})", f->id, f->style);
+      readers.push_back(fmt::format("fix {} ({})", f->id, f->style));
   for (const std::string &v : in.variables)
-    if (!isHostFree(lmp, v, FormulaScope::Thermo)) culprit = "variable " + v;
-  if (culprit.empty()) return;
+    if (!isHostFree(lmp, v, FormulaScope::Thermo)) readers.push_back("variable " + v);
+  if (readers.empty()) return;
   plan.thermoOnDevice = false;
-  plan.onHost.push_back(culprit + " reads particles at thermodynamic output: they are copied to the host each time");
+  plan.onHost.push_back(fmt::format("{} at thermodynamic output: particles are copied to the host each time",
+                                    fmt::join(readers, ", ")));
 }
 
 void checkLists(LAMMPS *lmp, ResidentPlan &plan)

@@ -2,13 +2,10 @@
 // Copyright (c) 2026 The GPUDEM developers
 #include "verlet_gpudem.h"
 
-#include "fix_neigh_history_gpudem.h"
-#include "gpudem_settings.h"
 #include "resident.h"
 
 #include "atom.h"
 #include "comm.h"
-#include "domain.h"
 #include "error.h"
 #include "fix.h"
 #include "force.h"
@@ -19,8 +16,6 @@
 #include "pair.h"
 #include "timer.h"
 #include "update.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -46,156 +41,6 @@ double VerletGpudem::memory_usage()
 {
   return Verlet::memory_usage();
 }
-
-/* ----------------------------------------------------------------------
-   entering and leaving the resident state
-------------------------------------------------------------------------- */
-
-void VerletGpudem::enterResident()
-{
-  for (ResidentFix *fix : plan.fixes) fix->onDevice = true;
-  if (plan.history) {
-    plan.history->enterResident();
-    plan.history->setSynchroniser(this);
-  }
-  onDevice = true;
-  hostListsBuilt = false;
-  sumsStep = -1;
-}
-
-void VerletGpudem::leaveResident()
-{
-  if (!onDevice) return;
-  for (ResidentFix *fix : plan.fixes) fix->onDevice = false;
-  if (plan.history) plan.history->setSynchroniser(nullptr);
-  onDevice = false;
-}
-
-void VerletGpudem::printPlan()
-{
-  if (comm->me != 0 || !gpudemSettings(lmp).verbose) return;
-  std::string block;
-  if (!plan.possible) {
-    block = fmt::format("GPUDEM: not resident, LAMMPS' own loop runs: {}\n", plan.reason);
-  } else {
-    const gpudem::ContactLaw &law = plan.scene.pair;
-    const char *tangential = law.tangential == gpudem::TangentialModel::Spring ? "tangential springs"
-        : law.tangential == gpudem::TangentialModel::Viscous                  ? "viscous friction"
-                                                                              : "no friction";
-    block = fmt::format("GPUDEM resident run\n  device    : {}\n  precision : {}\n  step      : {} contacts, {}, {} "
-                        "walls, {} force terms, {} integrators\n",
-                        state.engine().deviceName(),
-                        state.engine().precision() == gpudem::Precision::Double ? "double" : "mixed",
-                        law.normal == gpudem::NormalModel::Hertz ? "Hertz" : "Hooke", tangential, plan.walls.size(),
-                        plan.scene.terms.size() - plan.walls.size(), plan.scene.integrators.size());
-    std::string skipped;
-    for (const std::string &s : plan.skipped) skipped += (skipped.empty() ? "" : "; ") + s;
-    block += fmt::format("  skipped   : {}\n", skipped.empty() ? "nothing" : skipped);
-    if (plan.onHost.empty()) block += "  on host   : nothing but output\n";
-    for (const std::string &s : plan.onHost) block += fmt::format("  on host   : {}\n", s);
-  }
-  if (block == printed) return;
-  printed = block;
-  utils::logmesg(lmp, block);
-}
-
-/* ----------------------------------------------------------------------
-   setup
-------------------------------------------------------------------------- */
-
-void VerletGpudem::setup(int flag)
-{
-  plan = planResidentRun(lmp);
-  if (plan.possible) {
-    try {
-      state.prepareEngine();
-    } catch (const gpudem::Error &e) {
-      error->all(FLERR, "GPUDEM: {}", e.what());
-    }
-  }
-  printPlan();
-  if (!plan.possible) {
-    Verlet::setup(flag);
-    return;
-  }
-  try {
-    setupResident(flag);
-  } catch (const gpudem::Error &e) {
-    error->all(FLERR, "GPUDEM: {}", e.what());
-  }
-}
-
-void VerletGpudem::setup_minimal(int flag)
-{
-  // rerun and friends set positions from outside at every step: nothing can stay on the device
-  plan = ResidentPlan();
-  plan.reason = "the command sets up without running (rerun, ...)";
-  printPlan();
-  Verlet::setup_minimal(flag);
-}
-
-void VerletGpudem::setupResident(int flag)
-{
-  if (comm->me == 0 && screen) {
-    fmt::print(screen, "Setting up resident Verlet run ...\n");
-    if (flag) {
-      fmt::print(screen, "  Unit style    : {}\n  Current step  : {}\n  Time step     : {}\n", update->unit_style,
-                 update->ntimestep, update->dt);
-      timer->print_timeout(screen);
-    }
-  }
-  update->setupflag = 1;
-  enterResident();
-
-  atom->setup();
-  modify->setup_pre_exchange();
-  domain->pbc();
-  domain->reset_box();
-  comm->setup();
-  if (neighbor->style) neighbor->setup_bins();
-  comm->exchange();
-  if (atom->sortfreq > 0) atom->sort();
-  if (atom->map_style != Atom::MAP_NONE || plan.hostLists) comm->borders();
-  domain->image_check();
-  domain->box_too_small_check();
-  modify->setup_pre_neighbor();
-  modify->setup_post_neighbor();
-  neighbor->ncalls = neighbor->ndanger = 0;
-
-  state.uploadAll(plan);
-  state.engine().rebuild(state.box());
-  rowsDue = false;
-  lastRebuild = update->ntimestep;
-
-  force->setup();
-  ev_set(update->ntimestep);
-  modify->setup_pre_force(vflag);
-  if (state.toDevice()) state.engine().rebuild(state.box());
-  gpudem::Recording record;
-  record.virial = vflag % 4 != 0;
-  state.engine().evaluateForce(inputs(update->ntimestep), record);
-  state.deviceMoved(gpudem::fieldForce | gpudem::fieldTorque | gpudem::fieldVelocity | gpudem::fieldSpin);
-  publish(record);
-  modify->setup_pre_reverse(eflag, vflag);
-  if (plan.onHost.empty()) modify->setup(vflag);
-  else state.hostSection([&] { modify->setup(vflag); });
-  state.toDevice();
-
-  if (output->ndump || !plan.thermoOnDevice) {
-    state.toHost(gpudem::fieldDynamic);
-    state.downloadWalls(plan);
-  }
-  if (plan.hostLists) {
-    buildHostLists();
-    if (vflag / 4 || eflag / 2) evaluatePairOnHost();
-  }
-  output->setup(flag);
-  update->setupflag = 0;
-}
-
-/* ----------------------------------------------------------------------
-   run
-------------------------------------------------------------------------- */
 
 void VerletGpudem::run(int n)
 {

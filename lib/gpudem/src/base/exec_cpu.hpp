@@ -38,11 +38,12 @@ class CpuExec {
   template <class F>
   void forEach(std::uint32_t count, const F &f) const
   {
-    if (threads_ == 1 || count < 512) {
+    const int team = teamFor(count, 1024);
+    if (team == 1) {
       for (std::uint32_t i = 0; i < count; ++i) f(i);
       return;
     }
-#pragma omp parallel for num_threads(threads_) schedule(static)
+#pragma omp parallel for num_threads(team) schedule(static)
     for (std::uint32_t i = 0; i < count; ++i) f(i);
   }
 
@@ -50,11 +51,12 @@ class CpuExec {
   template <class F>
   void forEachChunk(std::uint32_t chunks, const F &f) const
   {
-    if (threads_ == 1 || chunks < 2) {
+    const int team = teamFor(chunks, 16);
+    if (team == 1) {
       for (std::uint32_t c = 0; c < chunks; ++c) f(c);
       return;
     }
-#pragma omp parallel for num_threads(threads_) schedule(static)
+#pragma omp parallel for num_threads(team) schedule(static)
     for (std::uint32_t c = 0; c < chunks; ++c) f(c);
   }
 
@@ -120,6 +122,12 @@ class CpuExec {
   void synchronize() const {}
 
  private:
+  /// Threads for a loop: waking one costs microseconds, so each must get \p least items of its own.
+  int teamFor(std::uint32_t items, std::uint32_t least) const
+  {
+    return static_cast<int>(std::clamp<std::uint32_t>(items / least, 1u, static_cast<std::uint32_t>(threads_)));
+  }
+
   int threads_;
   std::vector<std::uint32_t> starts_;
 };

@@ -132,6 +132,7 @@ class EngineImpl final : public Engine {
   std::vector<Array<Vec3<Real>>> wallSpring_, termBefore_;
   std::vector<Array<Real>> wallContacts_, drag_;
   std::uint64_t entries_ = 0;
+  FoundNeighbors found_;   ///< CPU only
 };
 
 }  // namespace gpudem

@@ -154,8 +154,13 @@ void EngineImpl<Exec, P>::buildRows()
   rowStart_.reserve(slices + 1);
   maskStart_.reserve(slices + 1);
   const CountNeighbors<P> countPass{v, rowCount_.data()};
-  if constexpr (W == 1) exec_.forEachChunk(chunksOf(count_, CountNeighborsChunk<P>::chunk), CountNeighborsChunk<P>{countPass});
-  else exec_.forEach(count_, countPass);
+  if constexpr (W == 1) {
+    const std::uint32_t chunks = chunksOf(count_, CountNeighborsChunk<P>::chunk);
+    found_.resize(chunks);
+    exec_.forEachChunk(chunks, CountNeighborsChunk<P>{countPass, &found_});
+  } else {
+    exec_.forEach(count_, countPass);
+  }
   exec_.forEach(slices, SliceWidths<W>{count_, rowCount_.data(), sliceEntries_.data(), sliceWords_.data()});
   entries_ = exec_.exclusiveScan(sliceEntries_.data(), rowStart_.data(), slices);
   const std::uint64_t words = exec_.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices);
@@ -181,7 +186,7 @@ void EngineImpl<Exec, P>::fillRows(const BuildView<P> &v)
   const FillRows<P, history, W> pass{v, rowStart_.data(), maskStart_.data(), rowCount_.data(), neighbor_.data(),
                                      touch_.data(), spring_.data(), store, order_.data()};
   if constexpr (W == 1)
-    exec_.forEachChunk(chunksOf(count_, FillRowsChunk<P, history>::chunk), FillRowsChunk<P, history>{pass});
+    exec_.forEachChunk(chunksOf(count_, FillRowsChunk<P, history>::chunk), FillRowsChunk<P, history>{pass, &found_});
   else exec_.forEach(count_, pass);
 }
 

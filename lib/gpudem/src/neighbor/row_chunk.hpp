@@ -17,23 +17,29 @@ struct CandidateList {
   std::vector<float> radius;
   std::vector<std::uint8_t> near;
 
-  std::size_t size() const { return index.size(); }
-  void clear()
+  std::size_t size() const { return count; }
+  void clear() { count = 0; }
+  void makeRoom(std::size_t more)
   {
-    x.clear();
-    y.clear();
-    z.clear();
-    index.clear();
-    radius.clear();
+    if (count + more <= index.size()) return;
+    const std::size_t room = 2 * (count + more) + 64;
+    for (auto *v : {&x, &y, &z, &index}) v->resize(room);
+    radius.resize(room);
+    near.resize(room);
   }
+  /// After makeRoom().
   void add(const CoarsePosition &p, std::uint32_t j)
   {
-    x.push_back(p.x);
-    y.push_back(p.y);
-    z.push_back(p.z);
-    radius.push_back(p.radius);
-    index.push_back(j);
+    x[count] = p.x;
+    y[count] = p.y;
+    z[count] = p.z;
+    radius[count] = p.radius;
+    index[count] = j;
+    ++count;
   }
+
+ private:
+  std::size_t count = 0;
 };
 
 template <class P>
@@ -50,7 +56,9 @@ void collectCandidates(const BuildView<P> &v, std::uint32_t cell, CandidateList 
       for (int ox = x0; ox <= x1; ++ox) {
         const std::uint32_t other = v.grid.index(wrapCell(c.x + ox, v.grid.nx), wrapCell(c.y + oy, v.grid.ny),
                                                  wrapCell(c.z + oz, v.grid.nz));
-        for (std::uint32_t j = v.cellFirst[other]; j < v.cellEnd[other]; ++j) list.add(v.position.coarse[j], j);
+        const std::uint32_t first = v.cellFirst[other], end = v.cellEnd[other];
+        list.makeRoom(end - first);
+        for (std::uint32_t j = first; j < end; ++j) list.add(v.position.coarse[j], j);
       }
 }
 
@@ -63,7 +71,6 @@ void testCandidates(const BuildView<P> &v, std::uint32_t i, CandidateList &list)
               uz = static_cast<float>(v.frame.unit32.z);
   const float slack = v.skin, more = v.reachSlack;
   const std::size_t size = list.size();
-  list.near.resize(size);
   const std::uint32_t *x = list.x.data(), *y = list.y.data(), *z = list.z.data();
   const float *radius = list.radius.data();
   std::uint8_t *near = list.near.data();
@@ -100,30 +107,43 @@ void forEachRow(const BuildView<P> &v, std::uint32_t begin, std::uint32_t end, R
   }
 }
 
-/// The two passes of the search over chunks of grains.
+/// Neighbours found by the first pass, chunk by chunk: the second pass need not search again.
+using FoundNeighbors = std::vector<std::vector<std::uint32_t>>;
+
 template <class P>
 struct CountNeighborsChunk {
   static constexpr std::uint32_t chunk = 256;
   CountNeighbors<P> pass;
+  FoundNeighbors *found;   ///< [chunks]
   void operator()(std::uint32_t c) const
   {
     const std::uint32_t begin = c * chunk, end = std::min(pass.v.count, begin + chunk);
+    std::vector<std::uint32_t> &list = (*found)[c];
+    list.clear();
     forEachRow(pass.v, begin, end, [&](std::uint32_t i, auto &&neighbors) {
-      std::uint32_t n = 0;
-      neighbors([&](std::uint32_t) { ++n; });
-      pass.out[i] = n;
+      const std::size_t before = list.size();
+      neighbors([&](std::uint32_t j) { list.push_back(j); });
+      pass.out[i] = static_cast<std::uint32_t>(list.size() - before);
     });
   }
 };
 
 template <class P, bool history>
 struct FillRowsChunk {
-  static constexpr std::uint32_t chunk = 256;
+  static constexpr std::uint32_t chunk = CountNeighborsChunk<P>::chunk;
   FillRows<P, history, 1> pass;
+  const FoundNeighbors *found;
   void operator()(std::uint32_t c) const
   {
     const std::uint32_t begin = c * chunk, end = std::min(pass.v.count, begin + chunk);
-    forEachRow(pass.v, begin, end, [&](std::uint32_t i, auto &&neighbors) { pass.fillRow(i, neighbors); });
+    const std::uint32_t *next = (*found)[c].data();
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t *first = next;
+      next += pass.length[i];
+      pass.fillRow(i, [&](auto &&visit) {
+        for (const std::uint32_t *j = first; j != next; ++j) visit(*j);
+      });
+    }
   }
 };
 

@@ -18,6 +18,7 @@ struct ContactChunk {
   static constexpr bool history = tangential == TangentialModel::Spring;
   static constexpr std::uint32_t chunk = 64;   ///< grains
   static constexpr int capacity = 256;         ///< contacts evaluated at once
+  static constexpr int stride = capacity + 16; ///< arrays must not all start in the same set of the L1 cache
   static constexpr std::uint32_t ahead = 12;   ///< rows between asking for memory and using it
 
   StepView<P> s;
@@ -48,12 +49,12 @@ struct ContactChunk {
   /// Contacts waiting for the law, one array per quantity.
   struct Batch {
     int size = 0;
-    std::uint32_t grain[capacity], entry[capacity];
-    Real radius[capacity];
-    Real bx[capacity], by[capacity], bz[capacity], room2[capacity], reach[capacity], radii[capacity];
-    Real product[capacity], sum[capacity], vx[capacity], vy[capacity], vz[capacity];
-    Real wx[capacity], wy[capacity], wz[capacity], sx[capacity], sy[capacity], sz[capacity];
-    Real fx[capacity], fy[capacity], fz[capacity], cx[capacity], cy[capacity], cz[capacity];
+    std::uint32_t grain[stride], entry[stride];
+    Real radius[stride];
+    Real bx[stride], by[stride], bz[stride], room2[stride], reach[stride], radii[stride];
+    Real product[stride], sum[stride], vx[stride], vy[stride], vz[stride];
+    Real wx[stride], wy[stride], wz[stride], sx[stride], sy[stride], sz[stride];
+    Real fx[stride], fy[stride], fz[stride], cx[stride], cy[stride], cz[stride];
   };
 
   /// Ask for what row i will gather: neighbours are met before their turn in the sorted order comes.

@@ -59,6 +59,7 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
 {
   StepView<P> v{};
   v.count = count_;
+  v.step = static_cast<std::uint32_t>(in.step);
   v.status = status_.data();
   v.in = v.out = positions(posNow_);
   v.motionIn = v.motionOut = motion_[motNow_].data();

@@ -25,7 +25,7 @@ GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPositio
   const std::uint32_t anchor = s.anchor[i];
   applyForceTerms<walls>(s, i, p, (anchor & nearWallBit) != 0, m, force, torque);
   if (mode == StepMode::Fused) {
-    kickGrain(s, p.radius, force, torque, Real(2), m);
+    kickGrain(s, i, p.radius, force, torque, Real(2), m);
     const bool moved = driftGrain(s, i, p, m);
     const CoarsePosition now = storePosition(s.out, i, p);
     s.motionOut[i] = m;
@@ -35,7 +35,7 @@ GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPositio
     s.torque[i] = torque;
     if (s.virial)
       for (int k = 0; k < 6; ++k) s.virial[static_cast<std::size_t>(k) * s.count + i] = virial[k];
-    if (s.finish) kickGrain(s, p.radius, force, torque, Real(1), m);
+    if (s.finish) kickGrain(s, i, p.radius, force, torque, Real(1), m);
     s.motionOut[i] = m;
     const Real sum = force.x + force.y + force.z + torque.x + torque.y + torque.z;
     if (!(sum - sum == Real(0))) atomicLower(&s.status->badParticle, i);
@@ -143,7 +143,7 @@ struct BeginStep {
     using Real = typename P::Real;
     FixedPosition<P> p = loadPosition<P>(s.in, i);
     Motion<Real> m = s.motionIn[i];
-    kickGrain(s, p.radius, s.force[i], s.torque[i], Real(1), m);
+    kickGrain(s, i, p.radius, s.force[i], s.torque[i], Real(1), m);
     const bool moved = driftGrain(s, i, p, m);
     const CoarsePosition now = storePosition(s.out, i, p);
     s.motionOut[i] = m;
@@ -161,7 +161,7 @@ struct FinishStep {
   {
     using Real = typename P::Real;
     Motion<Real> m = s.motionIn[i];
-    kickGrain(s, loadPosition<P>(s.in, i).radius, s.force[i], s.torque[i], Real(1), m);
+    kickGrain(s, i, loadPosition<P>(s.in, i).radius, s.force[i], s.torque[i], Real(1), m);
     s.motionOut[i] = m;
   }
 };

@@ -7,6 +7,7 @@
 /// Prescribed motion (fix move) replaces them.
 #pragma once
 
+#include "base/rounding.hpp"
 #include "step/step_view.hpp"
 
 namespace gpudem {
@@ -19,25 +20,26 @@ GPUDEM_HD typename P::Fixed advance(typename P::Fixed x, typename P::Real distan
 
 /// Velocities and spins advance by \p halves half kicks: one at an event, two in a fused step.
 template <class P>
-GPUDEM_HD void kickGrain(const StepView<P> &s, double radius, const Vec3<typename P::Real> &force,
-                         const Vec3<typename P::Real> &torque, typename P::Real halves,
-                         Motion<typename P::Real> &m)
+GPUDEM_HD void kickGrain(const StepView<P> &s, std::uint32_t i, double radius,
+                         const Vec3<typename P::Real> &force, const Vec3<typename P::Real> &torque,
+                         typename P::Real halves, Motion<typename P::Real> &m)
 {
   using Real = typename P::Real;
+  RoundingBits random(i, s.step);
   for (int k = 0; k < s.integrators; ++k) {
     const IntegratorView &it = s.integrator[k];
     if (!(m.mask & it.groupMask) || it.kind == IntegratorKind::Rotate) continue;
     const Real perMass = divide(halves * static_cast<Real>(s.halfKick), m.mass);
     const int fixed = it.kind == IntegratorKind::Prescribed ? it.prescribed : 0;
-    if (!(fixed & 1)) m.vx += perMass * force.x;
-    if (!(fixed & 2)) m.vy += perMass * force.y;
-    if (!(fixed & 4)) m.vz += perMass * force.z;
+    if (!(fixed & 1)) m.vx = addUnbiased(m.vx, perMass * force.x, random);
+    if (!(fixed & 2)) m.vy = addUnbiased(m.vy, perMass * force.y, random);
+    if (!(fixed & 4)) m.vz = addUnbiased(m.vz, perMass * force.z, random);
     if (it.kind == IntegratorKind::NveSphere) {
       const Real r = static_cast<Real>(radius);
       const Real perInertia = divide(halves * static_cast<Real>(it.halfKickPerInertia), r * r * m.mass);
-      m.wx += perInertia * torque.x;
-      m.wy += perInertia * torque.y;
-      m.wz += perInertia * torque.z;
+      m.wx = addUnbiased(m.wx, perInertia * torque.x, random);
+      m.wy = addUnbiased(m.wy, perInertia * torque.y, random);
+      m.wz = addUnbiased(m.wz, perInertia * torque.z, random);
     }
   }
 }

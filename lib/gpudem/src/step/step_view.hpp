@@ -85,6 +85,7 @@ struct StepView {
 
   std::uint32_t count;
   std::uint32_t sequence;         ///< number of this launch since the last flush
+  std::uint32_t step;             ///< of the force (low bits): seed of unbiased rounding
   Status *status;
 
   PositionArrays in, out;

@@ -4,7 +4,7 @@
 #define LMP_PAIR_GRAN_HOOKE_HISTORY_GPUDEM_H
 
 #include "pair_gran_hooke_history.h"
-#include "pair_gran_resident.h"
+#include "resident_pair_gran.h"
 
 namespace LAMMPS_NS {
 

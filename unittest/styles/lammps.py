@@ -155,3 +155,16 @@ def read_thermo(text):
             except ValueError:
                 pass
     return runs
+
+
+def make_tests(base, groups, namespace):
+    """One test class per group, one method per case that calls base.check(case); *base* itself leaves *namespace*."""
+    def method(case):
+        def test(self):
+            self.check(case)
+        return test
+
+    for group, cases in groups.items():
+        methods = {"test_" + name: method(case) for name, case in cases.items()}
+        namespace[group] = type(group, (base,), {**methods, "__module__": namespace["__name__"]})
+    del namespace[base.__name__]

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import scenes
 from compare import compare_dumps, compare_thermo
-from lammps import StylesTest
+from lammps import StylesTest, make_tests
 from tolerance import DOUBLE, MIXED, SHRINK_WRAP_SKINS
 
 NVE = "fix move all nve/sphere"
@@ -101,17 +101,7 @@ class CloudTest(StylesTest):
                            special={"Volume": case.volume_tolerance()})
 
 
-def _tests(cases):
-    def make(case):
-        def test(self):
-            self.check(case)
-        return test
-    return {"test_" + name: make(case) for name, case in cases.items()}
-
-
-for group, members in CASES.items():
-    globals()[group] = type(group, (CloudTest,), {**_tests(members), "__module__": __name__})
-del CloudTest   # has no case of its own
+make_tests(CloudTest, CASES, globals())
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

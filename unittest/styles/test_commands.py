@@ -8,7 +8,7 @@ import numpy as np
 
 import scenes
 from compare import compare_dumps, compare_thermo
-from lammps import StylesTest
+from lammps import StylesTest, make_tests
 from tolerance import DOUBLE, MIXED, ROUND_OFF
 
 NVE = "fix move all nve/sphere\n"
@@ -99,17 +99,7 @@ class CommandsTest(StylesTest):
         return stock, ours
 
 
-def _tests(cases):
-    def make(case):
-        def test(self):
-            self.check(case)
-        return test
-    return {"test_" + name: make(case) for name, case in cases.items()}
-
-
-for group, members in CASES.items():
-    globals()[group] = type(group, (CommandsTest,), {**_tests(members), "__module__": __name__})
-del CommandsTest   # has no case of its own
+make_tests(CommandsTest, CASES, globals())
 
 
 class Sessions(StylesTest):

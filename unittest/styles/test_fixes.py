@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import scenes
 from compare import compare_dumps, compare_thermo
-from lammps import StylesTest
+from lammps import StylesTest, make_tests
 from tolerance import DOUBLE, MIXED
 
 NVE = "fix move all nve/sphere\n"
@@ -164,17 +164,7 @@ class FixesTest(StylesTest):
             compare_thermo(self, stock.thermo(), ours.thermo(), tolerance, what=precision, disturbed=disturbed)
 
 
-def _tests(cases):
-    def make(case):
-        def test(self):
-            self.check(case)
-        return test
-    return {"test_" + name: make(case) for name, case in cases.items()}
-
-
-for group, members in CASES.items():
-    globals()[group] = type(group, (FixesTest,), {**_tests(members), "__module__": __name__})
-del FixesTest   # has no case of its own
+make_tests(FixesTest, CASES, globals())
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

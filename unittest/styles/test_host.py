@@ -8,7 +8,7 @@ import numpy as np
 
 import scenes
 from compare import compare_dumps, compare_thermo
-from lammps import StylesTest, read_dump
+from lammps import StylesTest, make_tests, read_dump
 from tolerance import DOUBLE
 
 NVE = "fix move all nve/sphere\n"
@@ -142,17 +142,7 @@ class HostTest(StylesTest):
         return table[np.lexsort((table[:, 1], table[:, 0]))]
 
 
-def _tests(cases):
-    def make(case):
-        def test(self):
-            self.check(case)
-        return test
-    return {"test_" + name: make(case) for name, case in cases.items()}
-
-
-for group, members in CASES.items():
-    globals()[group] = type(group, (HostTest,), {**_tests(members), "__module__": __name__})
-del HostTest   # has no case of its own
+make_tests(HostTest, CASES, globals())
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

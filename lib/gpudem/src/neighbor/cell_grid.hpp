@@ -76,4 +76,19 @@ GPUDEM_HD void neighbourRange(int n, bool wrap, int c, int &first, int &last)
 }
 GPUDEM_HD int wrapCell(int c, int n) { return c < 0 ? c + n : c >= n ? c - n : c; }
 
+/// Call visit(cell) for \p cell and each distinct cell around it.
+template <class Visit>
+GPUDEM_HD void forEachCellAround(const CellGrid &grid, std::uint32_t cell, Visit &&visit)
+{
+  const Vec3<int> c = grid.coordinates(cell);
+  int x0, x1, y0, y1, z0, z1;
+  neighbourRange(grid.nx, grid.wrapX, c.x, x0, x1);
+  neighbourRange(grid.ny, grid.wrapY, c.y, y0, y1);
+  neighbourRange(grid.nz, grid.wrapZ, c.z, z0, z1);
+  for (int oz = z0; oz <= z1; ++oz)
+    for (int oy = y0; oy <= y1; ++oy)
+      for (int ox = x0; ox <= x1; ++ox)
+        visit(grid.index(wrapCell(c.x + ox, grid.nx), wrapCell(c.y + oy, grid.ny), wrapCell(c.z + oz, grid.nz)));
+}
+
 }  // namespace gpudem

@@ -46,20 +46,11 @@ template <class P>
 void collectCandidates(const BuildView<P> &v, std::uint32_t cell, CandidateList &list)
 {
   list.clear();
-  const Vec3<int> c = v.grid.coordinates(cell);
-  int x0, x1, y0, y1, z0, z1;
-  neighbourRange(v.grid.nx, v.grid.wrapX, c.x, x0, x1);
-  neighbourRange(v.grid.ny, v.grid.wrapY, c.y, y0, y1);
-  neighbourRange(v.grid.nz, v.grid.wrapZ, c.z, z0, z1);
-  for (int oz = z0; oz <= z1; ++oz)
-    for (int oy = y0; oy <= y1; ++oy)
-      for (int ox = x0; ox <= x1; ++ox) {
-        const std::uint32_t other = v.grid.index(wrapCell(c.x + ox, v.grid.nx), wrapCell(c.y + oy, v.grid.ny),
-                                                 wrapCell(c.z + oz, v.grid.nz));
-        const std::uint32_t first = v.cellFirst[other], end = v.cellEnd[other];
-        list.makeRoom(end - first);
-        for (std::uint32_t j = first; j < end; ++j) list.add(v.position.coarse[j], j);
-      }
+  forEachCellAround(v.grid, cell, [&](std::uint32_t other) {
+    const std::uint32_t first = v.cellFirst[other], end = v.cellEnd[other];
+    list.makeRoom(end - first);
+    for (std::uint32_t j = first; j < end; ++j) list.add(v.position.coarse[j], j);
+  });
 }
 
 /// Mark the candidates within reach of grain i (itself included).

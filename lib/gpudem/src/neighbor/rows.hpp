@@ -54,31 +54,22 @@ GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&v
 {
   const CoarsePosition p = v.position.coarse[i];
   const std::uint32_t mask = v.motion[i].mask;
-  const Vec3<int> c = v.grid.coordinates(v.cell[i]);
   const float ux = static_cast<float>(v.frame.unit32.x), uy = static_cast<float>(v.frame.unit32.y),
               uz = static_cast<float>(v.frame.unit32.z);
   const bool anyExclusion = v.exclude.groups > 0 || v.exclude.typeTable != nullptr;
-  int x0, x1, y0, y1, z0, z1;
-  neighbourRange(v.grid.nx, v.grid.wrapX, c.x, x0, x1);
-  neighbourRange(v.grid.ny, v.grid.wrapY, c.y, y0, y1);
-  neighbourRange(v.grid.nz, v.grid.wrapZ, c.z, z0, z1);
-  for (int oz = z0; oz <= z1; ++oz)
-    for (int oy = y0; oy <= y1; ++oy)
-      for (int ox = x0; ox <= x1; ++ox) {
-        const std::uint32_t cell = v.grid.index(wrapCell(c.x + ox, v.grid.nx), wrapCell(c.y + oy, v.grid.ny),
-                                                wrapCell(c.z + oz, v.grid.nz));
-        const std::uint32_t end = v.cellEnd[cell];
-        for (std::uint32_t j = v.cellFirst[cell]; j < end; ++j) {
-          const CoarsePosition q = v.position.coarse[j];
-          const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - q.x)) * ux;
-          const float dy = static_cast<float>(static_cast<std::int32_t>(p.y - q.y)) * uy;
-          const float dz = static_cast<float>(static_cast<std::int32_t>(p.z - q.z)) * uz;
-          const float reach = (p.radius + q.radius) * 1.000001f + v.skin + v.reachSlack;
-          if (dx * dx + dy * dy + dz * dz >= reach * reach || j == i) continue;
-          if (anyExclusion && v.exclude.excluded(mask, v.motion[j].mask, v.type[i], v.type[j])) continue;
-          visit(j);
-        }
-      }
+  forEachCellAround(v.grid, v.cell[i], [&](std::uint32_t cell) {
+    const std::uint32_t end = v.cellEnd[cell];
+    for (std::uint32_t j = v.cellFirst[cell]; j < end; ++j) {
+      const CoarsePosition q = v.position.coarse[j];
+      const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - q.x)) * ux;
+      const float dy = static_cast<float>(static_cast<std::int32_t>(p.y - q.y)) * uy;
+      const float dz = static_cast<float>(static_cast<std::int32_t>(p.z - q.z)) * uz;
+      const float reach = (p.radius + q.radius) * 1.000001f + v.skin + v.reachSlack;
+      if (dx * dx + dy * dy + dz * dz >= reach * reach || j == i) continue;
+      if (anyExclusion && v.exclude.excluded(mask, v.motion[j].mask, v.type[i], v.type[j])) continue;
+      visit(j);
+    }
+  });
 }
 
 template <class P>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
 /// \file What the three gran/ pair styles share: the stock style plus its description for the device.
-#ifndef LMP_PAIR_GRAN_RESIDENT_H
-#define LMP_PAIR_GRAN_RESIDENT_H
+#ifndef LMP_RESIDENT_PAIR_GRAN_H
+#define LMP_RESIDENT_PAIR_GRAN_H
 
 #include "atom.h"
 #include "comm.h"

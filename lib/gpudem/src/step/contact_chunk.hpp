@@ -62,6 +62,7 @@ struct ContactChunk {
   {
     if (i >= s.count) return;
     const std::uint32_t base = s.rows.start[i], length = s.rows.count[i];
+    if (length == 0) return;   // an empty row has no touch word
     const std::uint32_t touching =
         history ? static_cast<std::uint32_t>(bitCount(s.rows.touch[s.rows.maskStart[i]])) : length;
     if (history) __builtin_prefetch(s.rows.spring + 3 * static_cast<std::size_t>(base));

@@ -48,7 +48,6 @@ class ResidentState : protected Pointers {
 
   gpudem::HostParticles host() const;
   gpudem::Box box() const;
-  double copySeconds() const { return copySeconds_; }
 
  private:
   using Fingerprints = std::array<std::uint64_t, 8>;
@@ -61,7 +60,6 @@ class ResidentState : protected Pointers {
   int settingsVersion_ = -1;
   unsigned hostStale_ = 0, deviceStale_ = 0;
   bool contactsStale_ = false;
-  double copySeconds_ = 0.0;
 };
 
 }  // namespace LAMMPS_NS

@@ -37,11 +37,6 @@ void VerletGpudem::init()
   Verlet::init();
 }
 
-double VerletGpudem::memory_usage()
-{
-  return Verlet::memory_usage();
-}
-
 void VerletGpudem::run(int n)
 {
   if (!plan.possible) {

@@ -27,7 +27,6 @@ class VerletGpudem : public Verlet {
   void setup_minimal(int flag) override;
   void run(int n) override;
   void cleanup() override;
-  double memory_usage() override;
 
   /// The resident loop of \p lmp if the device holds the particles now, else null.
   static VerletGpudem *active(class LAMMPS *lmp);

@@ -38,26 +38,14 @@ class CpuExec {
   template <class F>
   void forEach(std::uint32_t count, const F &f) const
   {
-    const int team = teamFor(count, 1024);
-    if (team == 1) {
-      for (std::uint32_t i = 0; i < count; ++i) f(i);
-      return;
-    }
-#pragma omp parallel for num_threads(team) schedule(static)
-    for (std::uint32_t i = 0; i < count; ++i) f(i);
+    inTeam(count, 1024, f);
   }
 
   /// The same for work that comes in sizeable pieces.
   template <class F>
   void forEachChunk(std::uint32_t chunks, const F &f) const
   {
-    const int team = teamFor(chunks, 16);
-    if (team == 1) {
-      for (std::uint32_t c = 0; c < chunks; ++c) f(c);
-      return;
-    }
-#pragma omp parallel for num_threads(team) schedule(static)
-    for (std::uint32_t c = 0; c < chunks; ++c) f(c);
+    inTeam(chunks, 16, f);
   }
 
   /// op over f(0) .. f(count-1) in a fixed order: chunks first, then their results.
@@ -122,10 +110,18 @@ class CpuExec {
   void synchronize() const {}
 
  private:
-  /// Threads for a loop: waking one costs microseconds, so each must get \p least items of its own.
-  int teamFor(std::uint32_t items, std::uint32_t least) const
+  /// f(0) .. f(items-1). Waking a thread costs microseconds, so each must get \p least items of its own.
+  template <class F>
+  void inTeam(std::uint32_t items, std::uint32_t least, const F &f) const
   {
-    return static_cast<int>(std::clamp<std::uint32_t>(items / least, 1u, static_cast<std::uint32_t>(threads_)));
+    const auto most = static_cast<std::uint32_t>(threads_);
+    const int team = static_cast<int>(std::clamp<std::uint32_t>(items / least, 1u, most));
+    if (team == 1) {
+      for (std::uint32_t i = 0; i < items; ++i) f(i);
+      return;
+    }
+#pragma omp parallel for num_threads(team) schedule(static)
+    for (std::uint32_t i = 0; i < items; ++i) f(i);
   }
 
   int threads_;

@@ -18,7 +18,7 @@ namespace gpudem {
 /// Where and how loops run. Results never depend on the number of threads.
 class CpuExec {
  public:
-  static constexpr int lanes = 1;   ///< rows of the neighbour table are contiguous
+  static constexpr bool onGpu = false;
   template <class T>
   using Array = Buffer<CpuExec, T>;
 
@@ -41,11 +41,11 @@ class CpuExec {
     inTeam(count, 1024, f);
   }
 
-  /// The same for work that comes in sizeable pieces.
+  /// The same for work that comes in pieces of some hundred grains.
   template <class F>
   void forEachChunk(std::uint32_t chunks, const F &f) const
   {
-    inTeam(chunks, 16, f);
+    inTeam(chunks, 2, f);
   }
 
   /// op over f(0) .. f(count-1) in a fixed order: chunks first, then their results.
@@ -55,7 +55,7 @@ class CpuExec {
     constexpr std::uint32_t chunk = 2048;
     const std::uint32_t chunks = (count + chunk - 1) / chunk;
     std::vector<T> partial(chunks, init);
-    forEach(chunks, [&](std::uint32_t c) {
+    forEachChunk(chunks, [&](std::uint32_t c) {
       T sum = init;
       const std::uint32_t end = std::min(count, (c + 1) * chunk);
       for (std::uint32_t i = c * chunk; i < end; ++i) sum = op(sum, f(i));

@@ -34,7 +34,7 @@ __global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachKernel(
 
 class GpuExec {
  public:
-  static constexpr int lanes = 32;   ///< rows of the neighbour table are interleaved warp by warp
+  static constexpr bool onGpu = true;
   template <class T>
   using Array = Buffer<GpuExec, T>;
 

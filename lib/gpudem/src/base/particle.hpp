@@ -137,20 +137,26 @@ GPUDEM_HD FixedPosition<Double> loadPosition<Double>(const PositionArrays &a, st
   return {join(c.x, f.x), join(c.y, f.y), join(c.z, f.z), joinRadius(c.radius, f.radius)};
 }
 
+/// Upper bits of the coordinates, without the radius.
+GPUDEM_HD CoarsePosition coarsePart(const FixedPosition<Mixed> &p) { return {p.x, p.y, p.z, 0.0f}; }
+GPUDEM_HD CoarsePosition coarsePart(const FixedPosition<Double> &p)
+{
+  return {static_cast<std::uint32_t>(p.x >> 32), static_cast<std::uint32_t>(p.y >> 32),
+          static_cast<std::uint32_t>(p.z >> 32), 0.0f};
+}
+
 /// \return the coarse part
 GPUDEM_HD CoarsePosition storePosition(const PositionArrays &a, std::uint32_t i, const FixedPosition<Mixed> &p)
 {
-  const CoarsePosition c{p.x, p.y, p.z, static_cast<float>(p.radius)};
+  CoarsePosition c = coarsePart(p);
+  c.radius = static_cast<float>(p.radius);
   a.coarse[i] = c;
   return c;
 }
 GPUDEM_HD CoarsePosition storePosition(const PositionArrays &a, std::uint32_t i, const FixedPosition<Double> &p)
 {
-  CoarsePosition c;
+  CoarsePosition c = coarsePart(p);
   FinePosition f;
-  c.x = static_cast<std::uint32_t>(p.x >> 32);
-  c.y = static_cast<std::uint32_t>(p.y >> 32);
-  c.z = static_cast<std::uint32_t>(p.z >> 32);
   f.x = static_cast<std::uint32_t>(p.x);
   f.y = static_cast<std::uint32_t>(p.y);
   f.z = static_cast<std::uint32_t>(p.z);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file Arithmetic whose rounding must not be left to the compiler, and atomics on the status word.
+/// \file Arithmetic whose rounding must not be left to the compiler, bits, and atomics on the status word.
 #pragma once
 
 #include "base/annotate.hpp"
@@ -35,7 +35,7 @@ GPUDEM_HD std::int32_t roundToInt(float x)
 #ifdef __CUDA_ARCH__
   return __float2int_rn(x);
 #else
-  return static_cast<std::int32_t>(std::lrintf(x));
+  return __builtin_irintf(x);
 #endif
 }
 GPUDEM_HD std::int64_t roundToInt(double x)
@@ -43,7 +43,7 @@ GPUDEM_HD std::int64_t roundToInt(double x)
 #ifdef __CUDA_ARCH__
   return __double2ll_rn(x);
 #else
-  return std::llrint(x);
+  return static_cast<std::int64_t>(x + std::copysign(0.5, x));   // halves away from zero; fits SIMD lanes
 #endif
 }
 
@@ -107,6 +107,9 @@ GPUDEM_HD int bitCount(std::uint32_t bits)
   return __builtin_popcount(bits);
 #endif
 }
+
+/// Number of pieces of \p size that hold \p count.
+GPUDEM_HD std::uint32_t chunksOf(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
 
 /// Smallest value wins: deterministic whatever the order of the threads.
 GPUDEM_HD void atomicLower(std::uint32_t *address, std::uint32_t value)

@@ -8,7 +8,8 @@
 #include "gpudem/engine.h"
 #include "neighbor/layout.hpp"
 #include "neighbor/place.hpp"
-#include "neighbor/row_chunk.hpp"
+#include "neighbor/pair_table.hpp"
+#include "neighbor/row_table.hpp"
 #include "step/contact_chunk.hpp"
 #include "step/observables.hpp"
 #include "step/scene_views.hpp"
@@ -61,7 +62,6 @@ class EngineImpl final : public Engine {
 
  private:
   using Real = typename P::Real;
-  static constexpr int W = Exec::lanes;
   template <class T>
   using Array = typename Exec::template Array<T>;
 
@@ -82,9 +82,7 @@ class EngineImpl final : public Engine {
 
   void extractSprings();
   void rebuildIn(const CellGrid &fresh);
-  void buildRows();
-  template <bool history>
-  void fillRows(const BuildView<P> &v);
+  void buildTable();
   void setAnchors();
   template <class T>
   void permute(Array<T> &a, Array<T> &scratch);
@@ -119,9 +117,6 @@ class EngineImpl final : public Engine {
   Array<Vec3<Real>> force_{"forces"}, torque_{"torques"}, vecScratch_{"scratch (3)"};
   Array<Vec3<double>> origin_{"original positions"}, originScratch_{"original positions (2)"};
   Array<std::uint32_t> cellFirst_{"first grains of cells"}, cellEnd_{"last grains of cells"};
-  Array<std::uint32_t> rowCount_{"row lengths"}, sliceEntries_{"slice widths"}, sliceWords_{"slice words"},
-      rowStart_{"row starts"}, maskStart_{"touch starts"}, neighbor_{"neighbour rows"}, touch_{"touch bits"};
-  Array<Real> spring_{"tangential springs"};
   Array<std::uint32_t> storeOffset_{"stored contacts"};
   Array<std::int32_t> storePartner_{"partners of stored contacts"};
   Array<Real> storeSpring_{"stored springs"};
@@ -131,8 +126,7 @@ class EngineImpl final : public Engine {
   Array<Status> status_{"status"};
   std::vector<Array<Vec3<Real>>> wallSpring_, termBefore_;
   std::vector<Array<Real>> wallContacts_, drag_;
-  std::uint64_t entries_ = 0;
-  FoundNeighbors found_;   ///< CPU only
+  std::conditional_t<Exec::onGpu, RowTable<Exec, P>, PairTable<Exec, P>> table_;
 };
 
 }  // namespace gpudem

@@ -7,9 +7,6 @@
 
 namespace gpudem {
 
-/// Number of pieces of \p size that hold \p count.
-inline std::uint32_t chunksOf(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
-
 inline BoxView toBoxView(const Box &box)
 {
   return {toVec3(box.lo), toVec3(box.hi), {box.periodic[0], box.periodic[1], box.periodic[2]}};
@@ -46,17 +43,14 @@ void EngineImpl<Exec, P>::permute(Array<T> &a, Array<T> &scratch)
 template <class Exec, class P>
 void EngineImpl<Exec, P>::extractSprings()
 {
-  const RowView<Real> rows{rowStart_.data(), maskStart_.data(), rowCount_.data(),
-                           neighbor_.data(), touch_.data(),     spring_.data()};
   uintScratch_.reserve(count_ + 1);
-  exec_.forEach(count_, CountSprings<Real, W>{rows, uintScratch_.data()});
+  table_.countSprings(exec_, count_, uintScratch_.data());
   storeOffset_.reserve(count_ + 1);
   const std::uint64_t total = exec_.exclusiveScan(uintScratch_.data(), storeOffset_.data(), count_);
   if (total >> 32) throw Error(fmt::format("{} contacts exceed the 32-bit index of the contact store", total));
   storePartner_.reserveWithSlack(total);
   storeSpring_.reserveWithSlack(3 * total);
-  exec_.forEach(count_, ExtractSprings<Real, W>{rows, tag_.data(), storeOffset_.data(), storePartner_.data(),
-                                                storeSpring_.data()});
+  table_.extractSprings(exec_, count_, tag_.data(), storeOffset_.data(), storePartner_.data(), storeSpring_.data());
 }
 
 template <class Exec, class P>
@@ -111,12 +105,12 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
     if (spring.capacity()) permute(spring, vecScratch_);
   if (origin_.capacity()) permute(origin_, originScratch_);
 
-  buildRows();
+  buildTable();
   setAnchors();
 }
 
 template <class Exec, class P>
-void EngineImpl<Exec, P>::buildRows()
+void EngineImpl<Exec, P>::buildTable()
 {
   const std::uint32_t cells = grid_.cells();
   cellFirst_.reserveWithSlack(cells);
@@ -147,47 +141,10 @@ void EngineImpl<Exec, P>::buildRows()
   v.exclude.typeTable = typeTable_.capacity() ? typeTable_.data() : nullptr;
   v.exclude.types = scene_.types;
 
-  const std::uint32_t slices = (count_ + W - 1) / W;
-  rowCount_.reserve(count_);
-  sliceEntries_.reserve(slices);
-  sliceWords_.reserve(slices);
-  rowStart_.reserve(slices + 1);
-  maskStart_.reserve(slices + 1);
-  const CountNeighbors<P> countPass{v, rowCount_.data()};
-  if constexpr (W == 1) {
-    const std::uint32_t chunks = chunksOf(count_, CountNeighborsChunk<P>::chunk);
-    found_.resize(chunks);
-    exec_.forEachChunk(chunks, CountNeighborsChunk<P>{countPass, &found_});
-  } else {
-    exec_.forEach(count_, countPass);
-  }
-  exec_.forEach(slices, SliceWidths<W>{count_, rowCount_.data(), sliceEntries_.data(), sliceWords_.data()});
-  entries_ = exec_.exclusiveScan(sliceEntries_.data(), rowStart_.data(), slices);
-  const std::uint64_t words = exec_.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices);
-  if (entries_ >> 32) throw Error(fmt::format("{} neighbour entries exceed the 32-bit index of the rows", entries_));
-  neighbor_.reserveWithSlack(entries_);
-  report_.entriesPerGrain = static_cast<double>(entries_) / count_;
-  report_.cells = cells;
-
-  if (scene_.pair.hasHistory()) {
-    touch_.reserveWithSlack(words);
-    spring_.reserveWithSlack(3 * entries_);
-    fillRows<true>(v);
-  } else {
-    fillRows<false>(v);
-  }
-}
-
-template <class Exec, class P>
-template <bool history>
-void EngineImpl<Exec, P>::fillRows(const BuildView<P> &v)
-{
   const ContactStore<Real> store{storeOffset_.data(), storePartner_.data(), storeSpring_.data()};
-  const FillRows<P, history, W> pass{v, rowStart_.data(), maskStart_.data(), rowCount_.data(), neighbor_.data(),
-                                     touch_.data(), spring_.data(), store, order_.data()};
-  if constexpr (W == 1)
-    exec_.forEachChunk(chunksOf(count_, FillRowsChunk<P, history>::chunk), FillRowsChunk<P, history>{pass, &found_});
-  else exec_.forEach(count_, pass);
+  table_.build(exec_, v, scene_.pair.hasHistory(), store, order_.data());
+  report_.entriesPerGrain = static_cast<double>(table_.entries()) / count_;
+  report_.cells = cells;
 }
 
 template <class Exec, class P>

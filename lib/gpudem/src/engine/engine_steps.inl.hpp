@@ -63,7 +63,7 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   v.status = status_.data();
   v.in = v.out = positions(posNow_);
   v.motionIn = v.motionOut = motion_[motNow_].data();
-  v.rows = {rowStart_.data(), maskStart_.data(), rowCount_.data(), neighbor_.data(), touch_.data(), spring_.data()};
+  if constexpr (Exec::onGpu) v.rows = table_.view();
   v.anchor = anchor_.data();
   v.anchorRule = anchorRule_;
   v.frame = frame_;
@@ -116,13 +116,14 @@ void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
     constexpr N n = decltype(normal)::value;
     constexpr T t = decltype(tangential)::value;
     const bool walls = !scene_.walls.empty();
-    if constexpr (W == 1) {
-      const std::uint32_t chunks = chunksOf(count_, ContactChunk<P, n, t, mode, false>::chunk);
-      if (walls) exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, true>{v});
-      else exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, false>{v});
-    } else {
+    if constexpr (Exec::onGpu) {
+      constexpr int W = RowTable<Exec, P>::W;
       if (walls) exec_.forEach(count_, ContactStep<P, n, t, mode, true, W>{v});
       else exec_.forEach(count_, ContactStep<P, n, t, mode, false, W>{v});
+    } else {
+      const std::uint32_t chunks = chunksOf(count_, grainsPerChunk);
+      if (walls) exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, true>{v, table_.view()});
+      else exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, false>{v, table_.view()});
     }
   };
   const std::integral_constant<N, N::Hooke> hooke;

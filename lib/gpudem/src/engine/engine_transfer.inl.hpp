@@ -19,16 +19,16 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   }
   for (const auto *a : {&type_, &image_, &intScratch_, &tag_, &storePartner_}) add(*a);
   for (const auto *a : {&hostIndex_, &cell_, &key_, &order_, &anchor_, &uintScratch_, &cellFirst_, &cellEnd_,
-                        &rowCount_, &sliceEntries_, &sliceWords_, &rowStart_, &maskStart_, &neighbor_, &touch_,
                         &storeOffset_})
     add(*a);
   for (const auto *a : {&force_, &torque_, &vecScratch_}) add(*a);
   for (const auto *a : {&origin_, &originScratch_}) add(*a);
-  for (const auto *a : {&spring_, &storeSpring_, &virial_}) add(*a);
+  for (const auto *a : {&storeSpring_, &virial_}) add(*a);
   for (const auto &a : wallSpring_) add(a);
   for (const auto &a : termBefore_) add(a);
   for (const auto &a : wallContacts_) add(a);
   add(staging_);
+  add(table_);
   return {b, exec_.capacity()};
 }
 

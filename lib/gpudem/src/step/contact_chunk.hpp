@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file The step on the CPU: the same functions as contact_step.hpp, arranged so that the contact law runs in
-/// SIMD lanes.
+/// \file The step on the CPU: the same functions as contact_step.hpp, arranged so that each pair of a chunk is
+/// evaluated once and the contact law runs in SIMD lanes.
 ///
-/// A chunk of grains gathers its contacts into arrays, the law is evaluated for all of them in one vector loop,
-/// and the results are added to the grains in the order of their rows. The arithmetic per contact and the order
-/// of the sums are those of the scalar form, so neither the chunk nor the number of threads shows in the result.
+/// The pairs of a chunk pass in batches through four loops without branches that depend on the data: which may
+/// touch, what the law needs of them, the law, and the sums of both grains. A pair adds the same force with
+/// opposite signs to its two grains, in an order given by the list alone.
 #pragma once
 
+#include "neighbor/pair_chunk.hpp"
 #include "step/contact_step.hpp"
+#include "step/motion_chunk.hpp"
 
 namespace gpudem {
 
@@ -16,96 +18,116 @@ template <class P, NormalModel normal, TangentialModel tangential, StepMode mode
 struct ContactChunk {
   using Real = typename P::Real;
   static constexpr bool history = tangential == TangentialModel::Spring;
-  static constexpr std::uint32_t chunk = 64;   ///< grains
-  static constexpr int capacity = 256;         ///< contacts evaluated at once
-  static constexpr int stride = capacity + 16; ///< arrays must not all start in the same set of the L1 cache
-  static constexpr std::uint32_t ahead = 12;   ///< rows between asking for memory and using it
+  static constexpr std::uint32_t capacity = 128;   ///< pairs in a batch
+  static constexpr int stride = capacity + 16;     ///< arrays must not all start in the same set of the L1 cache
+  static constexpr std::uint32_t ahead = 24;       ///< pairs between asking for memory and using it
 
   StepView<P> s;
+  PairChunk<Real> *chunks;
 
   void operator()(std::uint32_t c) const
   {
     if (s.sequence > s.status->lastAllowed) return;
-    const std::uint32_t begin = c * chunk, end = s.count - begin < chunk ? s.count : begin + chunk;
-    Sums sums;
+    const std::uint32_t begin = c * grainsPerChunk;
+    const std::uint32_t grains = s.count - begin < grainsPerChunk ? s.count - begin : grainsPerChunk;
+    PairChunk<Real> &pairs = chunks[c];
+    const auto size = static_cast<std::uint32_t>(pairs.size());
+    Sums sums(grains);
     Batch batch;
-    for (std::uint32_t i = begin; i < end; ++i) gatherRow(i, i - begin, batch, sums);
-    flush(batch, sums);
-    for (std::uint32_t i = begin; i < end; ++i) {
+    for (std::uint32_t first = 0; first < size; first += capacity) {
+      const std::uint32_t last = size - first < capacity ? size : first + capacity;
+      gather(begin, first, last, pairs, batch);
+      if (mode == StepMode::Fused || s.advanceSprings) evaluate<true>(batch, s.law, s.dt);
+      else evaluate<false>(batch, s.law, s.dt);
+      scatter(pairs, batch, sums);
+    }
+    if (mode == StepMode::Fused && movesInLanes(s)) {
+      MotionChunk<P, walls> motion;
+      constexpr std::uint32_t some = MotionChunk<P, walls>::capacity;
+      for (std::uint32_t g = 0; g < grains; g += some)
+        motion(s, begin + g, grains - g < some ? grains - g : some, sums.load + g);
+      return;
+    }
+    for (std::uint32_t g = 0; g < grains; ++g) {
+      const std::uint32_t i = begin + g;
       FixedPosition<P> p = loadPosition<P>(s.in, i);
       Motion<Real> m = s.motionIn[i];
-      const std::uint32_t g = i - begin;
-      completeGrain<mode, walls>(s, i, p, m, sums.force[g], sums.torque[g], sums.virialOf(g));
+      const Real *a = sums.load[g];
+      completeGrain<mode, walls>(s, i, p, m, Vec3<Real>{a[0], a[1], a[2]}, Vec3<Real>{a[3], a[4], a[5]},
+                                 sums.virialOf(g));
     }
   }
 
  private:
+  /// Sums of each grain of the chunk; one more takes what belongs to grains of other chunks.
   struct Sums {
-    Vec3<Real> force[chunk] = {}, torque[chunk] = {};
-    Real virial[mode == StepMode::Event ? chunk : 1][6] = {};   ///< a fused step keeps none
+    Real load[grainsPerChunk + 1][8];   ///< force, torque, padding
+    Real virial[mode == StepMode::Event ? grainsPerChunk + 1 : 1][6];   ///< a fused step keeps none
+    explicit Sums(std::uint32_t grains)
+    {
+      memset(load, 0, grains * sizeof load[0]);
+      memset(load[grainsPerChunk], 0, sizeof load[0]);
+      memset(virial, 0, sizeof virial);
+    }
     Real *virialOf(std::uint32_t g) { return virial[mode == StepMode::Event ? g : 0]; }
   };
 
-  /// Contacts waiting for the law, one array per quantity.
+  /// Pairs in contact, one array per quantity.
   struct Batch {
     int size = 0;
-    std::uint32_t grain[stride], entry[stride];
-    Real radius[stride];
+    std::uint32_t pair[stride];
+    Real radius[stride], radius2[stride];
     Real bx[stride], by[stride], bz[stride], room2[stride], reach[stride], radii[stride];
     Real product[stride], sum[stride], vx[stride], vy[stride], vz[stride];
     Real wx[stride], wy[stride], wz[stride], sx[stride], sy[stride], sz[stride];
     Real fx[stride], fy[stride], fz[stride], cx[stride], cy[stride], cz[stride];
+
+    /// Whole vectors: what lies behind the last pair is left over from other pairs, and nobody reads the result.
+    int padded() const { return (size + 15) / 16 * 16; }
   };
 
-  /// Ask for what row i will gather: neighbours are met before their turn in the sorted order comes.
-  void prefetchRow(std::uint32_t i) const
+  /// The pairs first .. last - 1 that touch.
+  void gather(std::uint32_t begin, std::uint32_t first, std::uint32_t last, PairChunk<Real> &pairs, Batch &b) const
   {
-    if (i >= s.count) return;
-    const std::uint32_t base = s.rows.start[i], length = s.rows.count[i];
-    if (length == 0) return;   // an empty row has no touch word
-    const std::uint32_t touching =
-        history ? static_cast<std::uint32_t>(bitCount(s.rows.touch[s.rows.maskStart[i]])) : length;
-    if (history) __builtin_prefetch(s.rows.spring + 3 * static_cast<std::size_t>(base));
-    for (std::uint32_t k = 0; k < length; ++k) {
-      const std::uint32_t j = s.rows.neighbor[base + k];
-      __builtin_prefetch(s.in.coarse + j);
-      if (k < touching) __builtin_prefetch(s.motionIn + j);
-    }
-  }
-
-  void gatherRow(std::uint32_t i, std::uint32_t grain, Batch &b, Sums &sums) const
-  {
-    prefetchRow(i + ahead);
-    const FixedPosition<P> p = loadPosition<P>(s.in, i);
-    const Motion<Real> m = s.motionIn[i];
-    const CoarsePosition c = s.in.coarse[i];
-    const std::uint32_t base = s.rows.start[i], length = s.rows.count[i];
+    const std::uint32_t *partner = pairs.partner.data();
+    const std::uint16_t *owner = pairs.owner.data();
+    std::uint8_t *touching = pairs.touching.data();
+    const Real *spring = pairs.spring.data();
+    const auto total = static_cast<std::uint32_t>(pairs.size());
     const float ux = static_cast<float>(s.frame.unit32.x), uy = static_cast<float>(s.frame.unit32.y),
                 uz = static_cast<float>(s.frame.unit32.z);
-    for (std::uint32_t first = 0; first < length; first += 32) {
-      std::uint32_t bits = touchCandidates<1>(s, base, length, first, c, ux, uy, uz), now = 0;
-      std::uint32_t *word = history ? s.rows.touch + s.rows.maskStart[i] + first / 32u : nullptr;
-      const std::uint32_t old = history ? *word : 0;
-      for (; bits; bits &= bits - 1) {
-        const int k = lowestBit(bits);
-        const std::uint32_t entry = base + first + static_cast<std::uint32_t>(k);
-        GatheredPair<Real> g;
-        if (!gatherPair(s, s.rows.neighbor[entry], p, m, g)) continue;
-        now |= 1u << k;
-        put(b, grain, entry, static_cast<Real>(p.radius), g, history && (old >> k & 1u));
-        if (b.size == capacity) flush(b, sums);
-      }
-      if (history && now != old) *word = now;
+    std::uint32_t candidate[capacity];
+    std::uint32_t candidates = 0;
+    for (std::uint32_t k = first; k < last; ++k) {
+      const std::uint32_t later = k + ahead < total ? k + ahead : k, next = partner[later];
+      __builtin_prefetch(s.in.coarse + next);
+      if (P::fine) __builtin_prefetch(s.in.fine + next);
+      __builtin_prefetch(s.motionIn + next);
+      if (history) __builtin_prefetch(spring + 3 * static_cast<std::size_t>(later));
+      const bool near = mayTouch(s.in.coarse[begin + owner[k]], s.in.coarse[partner[k]], ux, uy, uz, s.reachSlack);
+      candidate[candidates] = k;
+      candidates += near ? 1u : 0u;
+      if (history) touching[k] &= near ? 1u : 0u;
+    }
+    b.size = 0;
+    for (std::uint32_t n = 0; n < candidates; ++n) {
+      const std::uint32_t k = candidate[n], i = begin + owner[k], j = partner[k];
+      const FixedPosition<P> p = loadPosition<P>(s.in, i), q = loadPosition<P>(s.in, j);
+      GatheredPair<Real> g;
+      const bool touches = gatherPair(s, p, s.motionIn[i], q, s.motionIn[j], g);
+      put(b, k, static_cast<Real>(p.radius), static_cast<Real>(q.radius), g, pairs);
+      if (history) pairs.touching[k] = touches ? 1 : 0;
+      b.size += touches ? 1 : 0;
     }
   }
 
-  void put(Batch &b, std::uint32_t grain, std::uint32_t entry, Real radius, const GatheredPair<Real> &g,
-           bool known) const
+  static void put(Batch &b, std::uint32_t k, Real radius, Real radius2, const GatheredPair<Real> &g,
+                  const PairChunk<Real> &pairs)
   {
-    const int n = b.size++;
-    b.grain[n] = grain;
-    b.entry[n] = entry;
+    const int n = b.size;
+    b.pair[n] = k;
     b.radius[n] = radius;
+    b.radius2[n] = radius2;
     b.bx[n] = g.branch.x;
     b.by[n] = g.branch.y;
     b.bz[n] = g.branch.z;
@@ -121,41 +143,47 @@ struct ContactChunk {
     b.wy[n] = g.surfaceSpin.y;
     b.wz[n] = g.surfaceSpin.z;
     if (history) {
-      const Real *slot = s.rows.spring + 3 * static_cast<std::size_t>(entry);
-      b.sx[n] = known ? slot[0] : Real(0);
-      b.sy[n] = known ? slot[1] : Real(0);
-      b.sz[n] = known ? slot[2] : Real(0);
+      const bool known = pairs.touching[k] != 0;
+      const Real *slot = &pairs.spring[3 * static_cast<std::size_t>(k)];
+      const Real x = slot[0], y = slot[1], z = slot[2];
+      b.sx[n] = known ? x : Real(0);
+      b.sy[n] = known ? y : Real(0);
+      b.sz[n] = known ? z : Real(0);
     }
   }
 
-  void flush(Batch &b, Sums &sums) const
+  void scatter(PairChunk<Real> &pairs, const Batch &b, Sums &sums) const
   {
-    const LawCoefficients<Real> law = s.law;
-    const Real dt = s.dt;
-    const bool advance = mode == StepMode::Fused || s.advanceSprings;
-    if (advance) evaluate<true>(b, law, dt);
-    else evaluate<false>(b, law, dt);
     for (int n = 0; n < b.size; ++n) {
-      const std::uint32_t g = b.grain[n];
-      const Vec3<Real> force{b.fx[n], b.fy[n], b.fz[n]};
-      sums.force[g] += force;
-      sums.torque[g] -= Vec3<Real>{b.cx[n], b.cy[n], b.cz[n]} * b.radius[n];
+      const std::uint32_t k = b.pair[n], g = pairs.owner[k], h = pairs.mirror[k];
+      const Real load[6] = {b.fx[n], b.fy[n], b.fz[n], b.cx[n], b.cy[n], b.cz[n]};
+      Real *mine = sums.load[g], *other = sums.load[h];
+      for (int d = 0; d < 3; ++d) {
+        mine[d] += load[d];
+        mine[3 + d] -= load[3 + d] * b.radius[n];
+      }
+      for (int d = 0; d < 3; ++d) {
+        other[d] -= load[d];
+        other[3 + d] -= load[3 + d] * b.radius2[n];
+      }
       if (history) {
-        Real *slot = s.rows.spring + 3 * static_cast<std::size_t>(b.entry[n]);
+        Real *slot = &pairs.spring[3 * static_cast<std::size_t>(k)];
         slot[0] = b.sx[n];
         slot[1] = b.sy[n];
         slot[2] = b.sz[n];
       }
-      if (mode == StepMode::Event && s.virial)
-        addVirial(Vec3<Real>{b.bx[n], b.by[n], b.bz[n]}, force, sums.virialOf(g));
+      if (mode == StepMode::Event && s.virial) {
+        const Vec3<Real> branch{b.bx[n], b.by[n], b.bz[n]}, force{load[0], load[1], load[2]};
+        addVirial(branch, force, sums.virialOf(g));
+        addVirial(branch, force, sums.virialOf(h));
+      }
     }
-    b.size = 0;
   }
 
   template <bool advance>
   static void evaluate(Batch &b, const LawCoefficients<Real> law, const Real dt)
   {
-    const int size = b.size;
+    const int size = b.padded();
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) {
       const GatheredPair<Real> g{{b.bx[n], b.by[n], b.bz[n]}, b.room2[n], b.reach[n], b.radii[n],

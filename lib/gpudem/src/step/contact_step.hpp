@@ -29,7 +29,7 @@ GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPositio
     const bool moved = driftGrain(s, i, p, m);
     const CoarsePosition now = storePosition(s.out, i, p);
     s.motionOut[i] = m;
-    if (moved) watchDisplacement(s, i, anchor, now, m);
+    if (moved) raiseAlarm(s, i, alarmOf(s, anchor, now, m));
   } else {
     s.force[i] = force;
     s.torque[i] = torque;
@@ -48,17 +48,21 @@ GPUDEM_HD std::uint32_t touchCandidates(const StepView<P> &s, std::uint32_t base
                                         std::uint32_t first, const CoarsePosition &c, float ux, float uy, float uz)
 {
   const std::uint32_t last = length - first < 32u ? length - first : 32u;
+  const auto test = [&](std::uint32_t k) {
+    const CoarsePosition o = s.in.coarse[s.rows.neighbor[base + (first + k) * W]];
+    return mayTouch(c, o, ux, uy, uz, s.reachSlack) ? 1u : 0u;
+  };
   std::uint32_t bits = 0;
   constexpr std::uint32_t batch = 4;
   std::uint32_t k = 0;
   for (; k + batch <= last; k += batch) {
     std::uint32_t near[batch];
     GPUDEM_UNROLL
-    for (std::uint32_t b = 0; b < batch; ++b) near[b] = mayTouch(s, base + (first + k + b) * W, c, ux, uy, uz);
+    for (std::uint32_t b = 0; b < batch; ++b) near[b] = test(k + b);
     GPUDEM_UNROLL
     for (std::uint32_t b = 0; b < batch; ++b) bits |= near[b] << (k + b);
   }
-  for (; k < last; ++k) bits |= mayTouch(s, base + (first + k) * W, c, ux, uy, uz) << k;
+  for (; k < last; ++k) bits |= test(k) << k;
   return bits;
 }
 
@@ -108,8 +112,9 @@ struct ContactStep {
       const int k = lowestBit(bits);
       bits &= bits - 1;
       const std::uint32_t entry = base + (first + static_cast<std::uint32_t>(k)) * W;
+      const std::uint32_t j = s.rows.neighbor[entry];
       GatheredPair<Real> g;
-      if (!gatherPair(s, s.rows.neighbor[entry], p, m, g)) continue;
+      if (!gatherPair(s, p, m, loadPosition<P>(s.in, j), s.motionIn[j], g)) continue;
       Vec3<Real> spring{Real(0), Real(0), Real(0)};
       Real *slot = nullptr;
       if (history) {
@@ -147,7 +152,7 @@ struct BeginStep {
     const bool moved = driftGrain(s, i, p, m);
     const CoarsePosition now = storePosition(s.out, i, p);
     s.motionOut[i] = m;
-    if (moved) watchDisplacement(s, i, s.anchor[i], now, m);
+    if (moved) raiseAlarm(s, i, alarmOf(s, s.anchor[i], now, m));
   }
 };
 

@@ -18,6 +18,33 @@ GPUDEM_HD typename P::Fixed advance(typename P::Fixed x, typename P::Real distan
   return x + static_cast<typename P::Fixed>(roundToInt(distance * perUnit));
 }
 
+/// Kick of fix nve/sphere: velocity and spin by \p halves half kicks.
+template <class P>
+GPUDEM_HD void kickSphere(const StepView<P> &s, const IntegratorView &it, double radius,
+                          const Vec3<typename P::Real> &force, const Vec3<typename P::Real> &torque,
+                          typename P::Real halves, RoundingBits &random, Motion<typename P::Real> &m)
+{
+  using Real = typename P::Real;
+  const Real perMass = divide(halves * static_cast<Real>(s.halfKick), m.mass);
+  m.vx = addUnbiased(m.vx, perMass * force.x, random);
+  m.vy = addUnbiased(m.vy, perMass * force.y, random);
+  m.vz = addUnbiased(m.vz, perMass * force.z, random);
+  const Real r = static_cast<Real>(radius);
+  const Real perInertia = divide(halves * static_cast<Real>(it.halfKickPerInertia), r * r * m.mass);
+  m.wx = addUnbiased(m.wx, perInertia * torque.x, random);
+  m.wy = addUnbiased(m.wy, perInertia * torque.y, random);
+  m.wz = addUnbiased(m.wz, perInertia * torque.z, random);
+}
+
+/// Drift of fix nve/sphere.
+template <class P>
+GPUDEM_HD void driftSphere(const StepView<P> &s, FixedPosition<P> &p, const Motion<typename P::Real> &m)
+{
+  p.x = advance<P>(p.x, s.dt * m.vx, s.perUnit.x);
+  p.y = advance<P>(p.y, s.dt * m.vy, s.perUnit.y);
+  p.z = advance<P>(p.z, s.dt * m.vz, s.perUnit.z);
+}
+
 /// Velocities and spins advance by \p halves half kicks: one at an event, two in a fused step.
 template <class P>
 GPUDEM_HD void kickGrain(const StepView<P> &s, std::uint32_t i, double radius,
@@ -29,18 +56,14 @@ GPUDEM_HD void kickGrain(const StepView<P> &s, std::uint32_t i, double radius,
   for (int k = 0; k < s.integrators; ++k) {
     const IntegratorView &it = s.integrator[k];
     if (!(m.mask & it.groupMask) || it.kind == IntegratorKind::Rotate) continue;
-    const Real perMass = divide(halves * static_cast<Real>(s.halfKick), m.mass);
-    const int fixed = it.kind == IntegratorKind::Prescribed ? it.prescribed : 0;
-    if (!(fixed & 1)) m.vx = addUnbiased(m.vx, perMass * force.x, random);
-    if (!(fixed & 2)) m.vy = addUnbiased(m.vy, perMass * force.y, random);
-    if (!(fixed & 4)) m.vz = addUnbiased(m.vz, perMass * force.z, random);
     if (it.kind == IntegratorKind::NveSphere) {
-      const Real r = static_cast<Real>(radius);
-      const Real perInertia = divide(halves * static_cast<Real>(it.halfKickPerInertia), r * r * m.mass);
-      m.wx = addUnbiased(m.wx, perInertia * torque.x, random);
-      m.wy = addUnbiased(m.wy, perInertia * torque.y, random);
-      m.wz = addUnbiased(m.wz, perInertia * torque.z, random);
+      kickSphere(s, it, radius, force, torque, halves, random, m);
+      continue;
     }
+    const Real perMass = divide(halves * static_cast<Real>(s.halfKick), m.mass);
+    if (!(it.prescribed & 1)) m.vx = addUnbiased(m.vx, perMass * force.x, random);
+    if (!(it.prescribed & 2)) m.vy = addUnbiased(m.vy, perMass * force.y, random);
+    if (!(it.prescribed & 4)) m.vz = addUnbiased(m.vz, perMass * force.z, random);
   }
 }
 
@@ -70,9 +93,7 @@ GPUDEM_HD bool driftGrain(const StepView<P> &s, std::uint32_t i, FixedPosition<P
     if (!(m.mask & it.groupMask)) continue;
     moved = true;
     if (it.kind == IntegratorKind::NveSphere) {
-      p.x = advance<P>(p.x, s.dt * m.vx, s.perUnit.x);
-      p.y = advance<P>(p.y, s.dt * m.vy, s.perUnit.y);
-      p.z = advance<P>(p.z, s.dt * m.vz, s.perUnit.z);
+      driftSphere(s, p, m);
       continue;
     }
     if (it.kind == IntegratorKind::Rotate) {
@@ -120,10 +141,16 @@ GPUDEM_HD float anchorDistance(std::uint32_t now, std::uint32_t kept, int shift)
   return static_cast<float>(wrapped) - 0.5f * static_cast<float>(1u << shift);
 }
 
-/// Raise the alarm when a grain moved too far since the rows were built, or in this step, or lost its value.
+/// What a grain's displacement asks for.
+enum Alarm : std::uint32_t {
+  spentAlarm = 1,    ///< too far from where it was when the rows were built, or too far in this step
+  brokenAlarm = 2,   ///< not a number, or farther in this step than a cell
+};
+
+/// \return bits of Alarm
 template <class P>
-GPUDEM_HD void watchDisplacement(const StepView<P> &s, std::uint32_t i, std::uint32_t anchor,
-                                 const CoarsePosition &now, const Motion<typename P::Real> &m)
+GPUDEM_HD std::uint32_t alarmOf(const StepView<P> &s, std::uint32_t anchor, const CoarsePosition &now,
+                                const Motion<typename P::Real> &m)
 {
   using Real = typename P::Real;
   const AnchorRule &rule = s.anchorRule;
@@ -131,16 +158,21 @@ GPUDEM_HD void watchDisplacement(const StepView<P> &s, std::uint32_t i, std::uin
               uz = static_cast<float>(s.frame.unit32.z);
   const float step2 = static_cast<float>((m.vx * m.vx + m.vy * m.vy + m.vz * m.vz) * s.dt * s.dt);
   const Real sum = m.vx + m.vy + m.vz + m.wx + m.wy + m.wz;
-  const bool broken = !(step2 <= rule.lost2) || sum - sum != Real(0);
+  const bool broken = !(step2 <= rule.lost2) | (sum - sum != Real(0));
 
   // the anchor keeps 10 bits: wrap the difference to shift + 10 bits and measure from the quantum's middle
   const float dx = anchorDistance(now.x, anchor & 1023u, rule.shiftX) * ux;
   const float dy = anchorDistance(now.y, (anchor >> 10) & 1023u, rule.shiftY) * uy;
   const float dz = anchorDistance(now.z, (anchor >> 20) & 1023u, rule.shiftZ) * uz;
-  const bool spent = dx * dx + dy * dy + dz * dz > rule.limit2 || step2 > rule.stepLimit2;
+  const bool spent = (dx * dx + dy * dy + dz * dz > rule.limit2) | (step2 > rule.stepLimit2);
+  return (spent ? spentAlarm : 0u) | (broken ? brokenAlarm : 0u);
+}
 
-  if (spent || broken) atomicLower(&s.status->lastAllowed, s.sequence);
-  if (broken) atomicLower(&s.status->badParticle, i);
+template <class P>
+GPUDEM_HD void raiseAlarm(const StepView<P> &s, std::uint32_t i, std::uint32_t alarm)
+{
+  if (alarm) atomicLower(&s.status->lastAllowed, s.sequence);
+  if (alarm & brokenAlarm) atomicLower(&s.status->badParticle, i);
 }
 
 }  // namespace gpudem

@@ -21,31 +21,33 @@ struct GatheredPair {
 };
 
 /// Could the grains touch? Coarse, and wrong to the safe side only.
-template <class P>
-GPUDEM_HD std::uint32_t mayTouch(const StepView<P> &s, std::uint32_t entry, const CoarsePosition &c, float ux,
-                                 float uy, float uz)
+GPUDEM_HD bool mayTouch(const CoarsePosition &c, const CoarsePosition &o, float ux, float uy, float uz,
+                        float reachSlack)
 {
-  const CoarsePosition o = s.in.coarse[s.rows.neighbor[entry]];
   const float dx = static_cast<float>(static_cast<std::int32_t>(c.x - o.x)) * ux;
   const float dy = static_cast<float>(static_cast<std::int32_t>(c.y - o.y)) * uy;
   const float dz = static_cast<float>(static_cast<std::int32_t>(c.z - o.z)) * uz;
-  const float reach = (c.radius + o.radius) * 1.000001f + s.reachSlack;
-  return dx * dx + dy * dy + dz * dz < reach * reach ? 1u : 0u;
+  const float reach = (c.radius + o.radius) * 1.000001f + reachSlack;
+  return dx * dx + dy * dy + dz * dz < reach * reach;
 }
 
+/// \param motionJ of the partner; a reference into memory is read only if the grains touch
 /// \return false if the grains do not touch, or overlap by less than the coordinates resolve (grains placed exactly
 /// side by side, as on a lattice); the same from both sides
 template <class P>
-GPUDEM_HD bool gatherPair(const StepView<P> &s, std::uint32_t j, const FixedPosition<P> &p,
-                          const Motion<typename P::Real> &m, GatheredPair<typename P::Real> &g)
+GPUDEM_HD bool gatherPair(const StepView<P> &s, const FixedPosition<P> &p, const Motion<typename P::Real> &m,
+                          const FixedPosition<P> &q, const Motion<typename P::Real> &motionJ,
+                          GatheredPair<typename P::Real> &g)
 {
   using Real = typename P::Real;
-  const FixedPosition<P> q = loadPosition<P>(s.in, j);
   const Vec3<double> branch = separation(p, q, s.frame);
   const double reach = p.radius + q.radius;
   const double room2 = reach * reach - dot(branch, branch);
-  if (!(room2 > reach * s.touchMargin)) return false;
-  const Motion<Real> o = s.motionIn[j];
+  const bool touches = room2 > reach * s.touchMargin;
+#ifdef __CUDA_ARCH__
+  if (!touches) return false;   // on the CPU a branch costs more than what it saves
+#endif
+  const Motion<Real> o = motionJ;
   const Real ri = static_cast<Real>(p.radius), rj = static_cast<Real>(q.radius);
   g.branch = branch.template as<Real>();
   g.room2 = static_cast<Real>(room2);
@@ -60,7 +62,7 @@ GPUDEM_HD bool gatherPair(const StepView<P> &s, std::uint32_t j, const FixedPosi
   g.relativeVelocity = {m.vx - o.vx, m.vy - o.vy, m.vz - o.vz};
   g.surfaceSpin = {symmetricSum(ri, m.wx, rj, o.wx), symmetricSum(ri, m.wy, rj, o.wy),
                    symmetricSum(ri, m.wz, rj, o.wz)};
-  return true;
+  return touches;
 }
 
 template <NormalModel normal, class Real>

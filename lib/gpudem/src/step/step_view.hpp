@@ -18,7 +18,7 @@ struct Status {
 constexpr std::uint32_t noParticle = 0xffffffffu;
 constexpr std::uint32_t noLimit = 0xffffffffu;
 
-/// Neighbour rows in slices of W grains (W = 32 on the GPU, 1 on the CPU): entry k of grain i lies at
+/// Neighbour rows on the GPU, in slices of W = 32 grains: entry k of grain i lies at
 /// start[i / W] + k * W + i % W. A row lists each neighbour within the sum of radii plus the skin, on
 /// both sides of the pair; grains that touched when the rows were built come first.
 template <class Real>
@@ -92,7 +92,7 @@ struct StepView {
   const Motion<Real> *motionIn;
   Motion<Real> *motionOut;
 
-  RowView<Real> rows;
+  RowView<Real> rows;             ///< on the GPU; the CPU has chunks of pairs
   const std::uint32_t *anchor;    ///< [n] quantised position at the last rebuild and the near-wall bit
   AnchorRule anchorRule;
   Frame frame;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The neighbour table of the GPU: rows in slices of 32 grains. Same interface as pair_table.hpp.
+#pragma once
+
+#include "gpudem/errors.h"
+#include "neighbor/rows.hpp"
+
+#include <fmt/format.h>
+
+namespace gpudem {
+
+template <class Exec, class P>
+class RowTable {
+ public:
+  using Real = typename P::Real;
+  using View = RowView<Real>;
+  static constexpr int W = 32;
+
+  View view()
+  {
+    return {start_.data(), maskStart_.data(), count_.data(), neighbor_.data(), touch_.data(), spring_.data()};
+  }
+  /// Entries of all rows, padding included.
+  std::uint64_t entries() const { return entries_; }
+  std::size_t bytes() const
+  {
+    return count_.bytes() + sliceEntries_.bytes() + sliceWords_.bytes() + start_.bytes() + maskStart_.bytes() +
+        neighbor_.bytes() + touch_.bytes() + spring_.bytes();
+  }
+
+  void build(Exec &exec, const BuildView<P> &v, bool history, const ContactStore<Real> &store,
+             const std::uint32_t *oldIndex)
+  {
+    const std::uint32_t slices = chunksOf(v.count, W);
+    count_.reserve(v.count);
+    sliceEntries_.reserve(slices);
+    sliceWords_.reserve(slices);
+    start_.reserve(slices + 1);
+    maskStart_.reserve(slices + 1);
+    exec.forEach(v.count, CountNeighbors<P>{v, count_.data()});
+    exec.forEach(slices, SliceWidths<W>{v.count, count_.data(), sliceEntries_.data(), sliceWords_.data()});
+    entries_ = exec.exclusiveScan(sliceEntries_.data(), start_.data(), slices);
+    const std::uint64_t words = exec.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices);
+    if (entries_ >> 32) throw Error(fmt::format("{} neighbour entries exceed the 32-bit index of the rows", entries_));
+    neighbor_.reserveWithSlack(entries_);
+    if (history) {
+      touch_.reserveWithSlack(words);
+      spring_.reserveWithSlack(3 * entries_);
+      exec.forEach(v.count, fill<true>(v, store, oldIndex));
+    } else {
+      exec.forEach(v.count, fill<false>(v, store, oldIndex));
+    }
+  }
+
+  void countSprings(Exec &exec, std::uint32_t count, std::uint32_t *out)
+  {
+    exec.forEach(count, CountSprings<Real, W>{view(), out});
+  }
+  void extractSprings(Exec &exec, std::uint32_t count, const std::int32_t *tag, const std::uint32_t *offset,
+                      std::int32_t *partner, Real *spring)
+  {
+    exec.forEach(count, ExtractSprings<Real, W>{view(), tag, offset, partner, spring});
+  }
+
+ private:
+  template <bool history>
+  FillRows<P, history, W> fill(const BuildView<P> &v, const ContactStore<Real> &store, const std::uint32_t *oldIndex)
+  {
+    return {v, start_.data(), maskStart_.data(), count_.data(), neighbor_.data(), touch_.data(), spring_.data(), store,
+            oldIndex};
+  }
+
+  template <class T>
+  using Array = typename Exec::template Array<T>;
+  Array<std::uint32_t> count_{"row lengths"}, sliceEntries_{"slice widths"}, sliceWords_{"slice words"},
+      start_{"row starts"}, maskStart_{"touch starts"}, neighbor_{"neighbour rows"}, touch_{"touch bits"};
+  Array<Real> spring_{"tangential springs"};
+  std::uint64_t entries_ = 0;
+};
+
+}  // namespace gpudem

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The motion of consecutive grains on the CPU: kick, drift and alarm of integrate.hpp in SIMD lanes, for
+/// scenes whose only integrator is nve/sphere.
+#pragma once
+
+#include "step/force_terms.hpp"
+#include "step/integrate.hpp"
+
+namespace gpudem {
+
+/// One nve/sphere, and no term that alters velocities.
+template <class P>
+bool movesInLanes(const StepView<P> &s)
+{
+  bool plain = s.integrators == 1 && s.integrator[0].kind == IntegratorKind::NveSphere;
+  for (int k = 0; k < s.terms; ++k) plain = plain && s.term[k].kind != ForceTermKind::Enforce2d;
+  return plain;
+}
+
+template <class P, bool walls>
+class MotionChunk {
+ public:
+  using Real = typename P::Real;
+  static constexpr std::uint32_t capacity = 64;   ///< grains
+
+  /// Fused step of grains begin .. begin + count - 1, count <= capacity.
+  /// \param load [count][8] contact force and torque
+  void operator()(const StepView<P> &s, std::uint32_t begin, std::uint32_t count, const Real (*load)[8])
+  {
+    for (std::uint32_t g = 0; g < count; ++g) read(s, begin + g, g, load[g]);
+    move(s, begin, count);
+    for (std::uint32_t g = 0; g < count; ++g) write(s, begin + g, g);
+  }
+
+ private:
+  void read(const StepView<P> &s, std::uint32_t i, std::uint32_t g, const Real *load)
+  {
+    const FixedPosition<P> p = loadPosition<P>(s.in, i);
+    Motion<Real> m = s.motionIn[i];
+    const std::uint32_t anchor = s.anchor[i];
+    Vec3<Real> force{load[0], load[1], load[2]}, torque{load[3], load[4], load[5]};
+    applyForceTerms<walls>(s, i, p, (anchor & nearWallBit) != 0, m, force, torque);
+    x_[g] = p.x;
+    y_[g] = p.y;
+    z_[g] = p.z;
+    radius_[g] = p.radius;
+    vx_[g] = m.vx;
+    vy_[g] = m.vy;
+    vz_[g] = m.vz;
+    mass_[g] = m.mass;
+    wx_[g] = m.wx;
+    wy_[g] = m.wy;
+    wz_[g] = m.wz;
+    mask_[g] = m.mask;
+    fx_[g] = force.x;
+    fy_[g] = force.y;
+    fz_[g] = force.z;
+    tx_[g] = torque.x;
+    ty_[g] = torque.y;
+    tz_[g] = torque.z;
+    anchor_[g] = anchor;
+  }
+
+  void move(const StepView<P> &view, std::uint32_t begin, std::uint32_t count)
+  {
+    const StepView<P> &s = view;
+    const IntegratorView it = s.integrator[0];
+    std::uint32_t alarms = 0;
+#pragma GCC ivdep
+    for (std::uint32_t g = 0; g < count; ++g) {
+      Motion<Real> m{};
+      m.vx = vx_[g];
+      m.vy = vy_[g];
+      m.vz = vz_[g];
+      m.mass = mass_[g];
+      m.wx = wx_[g];
+      m.wy = wy_[g];
+      m.wz = wz_[g];
+      FixedPosition<P> p{x_[g], y_[g], z_[g], radius_[g]};
+      RoundingBits random(begin + g, s.step);
+      kickSphere(s, it, p.radius, Vec3<Real>{fx_[g], fy_[g], fz_[g]}, Vec3<Real>{tx_[g], ty_[g], tz_[g]}, Real(2),
+                 random, m);
+      driftSphere(s, p, m);
+      const bool active = (mask_[g] & it.groupMask) != 0;
+      const std::uint32_t alarm = alarmOf(s, anchor_[g], coarsePart(p), m) & (active ? ~0u : 0u);
+      alarm_[g] = alarm;
+      alarms |= alarm;
+      x_[g] = active ? p.x : x_[g];
+      y_[g] = active ? p.y : y_[g];
+      z_[g] = active ? p.z : z_[g];
+      vx_[g] = active ? m.vx : vx_[g];
+      vy_[g] = active ? m.vy : vy_[g];
+      vz_[g] = active ? m.vz : vz_[g];
+      wx_[g] = active ? m.wx : wx_[g];
+      wy_[g] = active ? m.wy : wy_[g];
+      wz_[g] = active ? m.wz : wz_[g];
+    }
+    if (!alarms) return;
+    for (std::uint32_t g = 0; g < count; ++g) raiseAlarm(s, begin + g, alarm_[g]);
+  }
+
+  void write(const StepView<P> &s, std::uint32_t i, std::uint32_t g) const
+  {
+    storePosition(s.out, i, FixedPosition<P>{x_[g], y_[g], z_[g], radius_[g]});
+    Motion<Real> &m = s.motionOut[i];
+    m.vx = vx_[g];
+    m.vy = vy_[g];
+    m.vz = vz_[g];
+    m.mass = mass_[g];
+    m.wx = wx_[g];
+    m.wy = wy_[g];
+    m.wz = wz_[g];
+    m.mask = mask_[g];
+  }
+
+  static constexpr std::uint32_t stride = capacity + 8;   ///< arrays must not all start in the same set of the L1 cache
+  typename P::Fixed x_[stride], y_[stride], z_[stride];
+  double radius_[stride];
+  Real vx_[stride], vy_[stride], vz_[stride], mass_[stride], wx_[stride], wy_[stride], wz_[stride];
+  Real fx_[stride], fy_[stride], fz_[stride], tx_[stride], ty_[stride], tz_[stride];
+  std::uint32_t mask_[stride], anchor_[stride], alarm_[stride];
+};
+
+}  // namespace gpudem

@@ -24,17 +24,37 @@ Frame someFrame(double origin, double window)
   return f;
 }
 
+/// One grain stored and loaded as precision P does it.
 template <class P>
-FixedPosition<P> fixed(const Frame &f, double x, double y, double z)
+class Stored {
+ public:
+  Stored(const Frame &f, double x, double y, double z, std::uint32_t fineMask)
+  {
+    motion.word = 0xa5u;
+    arrays = {&coarse, &fine, &motion, fineMask};
+    const FixedPosition exact{toFraction(x, f.origin.x, f.inverse.x), toFraction(y, f.origin.y, f.inverse.y),
+                              toFraction(z, f.origin.z, f.inverse.z), 0.5};
+    storePosition(arrays, 0, exact, motion.word);
+  }
+  FixedPosition load() const { return loadPosition(arrays, 0); }
+
+  Motion<typename P::Real> motion{};
+
+ private:
+  CoarsePosition coarse{};
+  FinePosition fine{};
+  PositionArrays<P> arrays{};
+};
+
+template <class P>
+FixedPosition fixed(const Frame &f, double x, double y, double z, std::uint32_t fineMask = 0xffu)
 {
-  using Fixed = typename P::Fixed;
-  return {narrow<Fixed>(toFraction(x, f.origin.x, f.inverse.x)), narrow<Fixed>(toFraction(y, f.origin.y, f.inverse.y)),
-          narrow<Fixed>(toFraction(z, f.origin.z, f.inverse.z)), 0.5};
+  return Stored<P>(f, x, y, z, fineMask).load();
 }
 
 /// Separations are right to the resolution, wherever the pair sits, across window borders too.
 template <class P>
-void expectSeparations(double resolution)
+void expectSeparations(double resolution, std::uint32_t fineMask = 0xffu)
 {
   std::mt19937 random(3);
   const Frame f = someFrame(-7.3, 9.1);
@@ -42,7 +62,7 @@ void expectSeparations(double resolution)
   for (int k = 0; k < 5000; ++k) {
     const double x = where(random), y = where(random), z = where(random);
     const double dx = near(random), dy = near(random), dz = near(random);
-    const auto a = fixed<P>(f, x + dx, y + dy, z + dz), b = fixed<P>(f, x, y, z);
+    const auto a = fixed<P>(f, x + dx, y + dy, z + dz, fineMask), b = fixed<P>(f, x, y, z, fineMask);
     const Vec3<double> s = separation(a, b, f), opposite = separation(b, a, f);
     ASSERT_NEAR(s.x, (x + dx) - x, resolution);
     ASSERT_NEAR(s.y, (y + dy) - y, resolution);
@@ -53,7 +73,8 @@ void expectSeparations(double resolution)
 
 TEST(FixedPosition, SeparationIsExactToTheUnit)
 {
-  expectSeparations<Mixed>(9.1 / 4294967296.0 * 1.5);
+  expectSeparations<Mixed>(std::ldexp(9.1, -40) + 2e-12);   // plus the round-off of the coordinates themselves
+  expectSeparations<Mixed>(std::ldexp(9.1, -32) + 2e-12, 0u);   // more than eight roles
   expectSeparations<Double>(1e-11);   // the round-off of the double coordinates (1e4) themselves
 }
 
@@ -67,7 +88,17 @@ TEST(FixedPosition, AbsoluteCoordinateSurvivesTheRoundTrip)
     const auto p = fixed<Double>(f, x, 0, 0);
     EXPECT_NEAR(toAbsolute(p.x, centre, f.origin.x, f.inverse.x, f.unit64.x), x, 4e-13);
     const auto q = fixed<Mixed>(f, x, 0, 0);
-    EXPECT_NEAR(toAbsolute(q.x, centre, f.origin.x, f.inverse.x, f.unit64.x), x, 8.8 / 4294967296.0);
+    EXPECT_NEAR(toAbsolute(q.x, centre, f.origin.x, f.inverse.x, f.unit64.x), x, std::ldexp(8.8, -40));
+  }
+}
+
+TEST(FixedPosition, LowerBitsLeaveTheRolesAlone)
+{
+  const Frame f = someFrame(0.0, 8.0);
+  for (int k = 0; k < 100; ++k) {
+    const double x = 0.0801 * k;
+    EXPECT_EQ((Stored<Mixed>(f, x, 2 * x, 3 * x, 0xffu).motion.word & 0xffu), 0xa5u);
+    EXPECT_EQ((Stored<Mixed>(f, x, 2 * x, 3 * x, 0u).motion.word), 0xa5u);
   }
 }
 

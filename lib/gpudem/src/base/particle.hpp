@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The GPUDEM developers
 /// \file The resident state of a grain and its modular fixed-point position.
 ///
-/// A coordinate is kept as a fraction of a *window* of at least eight cells, in 32 bits (mixed) or 64
+/// A coordinate is kept as a fraction of a *window* of at least eight cells, in 40 bits (mixed) or 64
 /// (double), modulo the window. Grains that can meet are closer than half a window, so their exact
 /// distance is one wrapping subtraction of integers: no cell offset, no minimum image, no cancellation,
 /// the same accuracy wherever the grain is. In a periodic direction the box is a whole number of
@@ -38,14 +38,14 @@ struct alignas(16) Motion<float> {
   float vx, vy, vz;       ///< velocity (distance/time)
   float mass;
   float wx, wy, wz;       ///< spin (radian/time)
-  std::uint32_t mask;     ///< LAMMPS group bits
+  std::uint32_t word;     ///< roles and, above them, the lower bits of the position: see Roles
 };
 template <>
 struct alignas(16) Motion<double> {
   double vx, vy, vz;
   double mass;
   double wx, wy, wz;
-  std::uint32_t mask;
+  std::uint32_t word;     ///< roles
   std::uint32_t spare;
 };
 
@@ -87,32 +87,31 @@ GPUDEM_HD void splitRadius(double radius, float &upper, std::uint32_t &lower)
   upper = static_cast<float>(truncated);
 }
 
-/// Mixed precision: 32-bit coordinates, float velocities and forces.
+/// Mixed precision: 40-bit coordinates, float velocities and forces.
 struct Mixed {
   using Real = float;
-  using Fixed = std::uint32_t;
-  using Signed = std::int32_t;
   static constexpr bool fine = false;
 };
 
 /// Double precision: 64-bit coordinates, double everywhere.
 struct Double {
   using Real = double;
-  using Fixed = std::uint64_t;
-  using Signed = std::int64_t;
   static constexpr bool fine = true;
 };
 
-template <class P>
+/// Coordinates as fractions of the window in units of 2^-64, whatever the precision that stores them.
 struct FixedPosition {
-  typename P::Fixed x, y, z;
+  std::uint64_t x, y, z;
   double radius;
 };
 
-/// Arrays of positions; \p fine is null in mixed precision.
+/// Arrays of positions; \p fine is null in mixed precision, whose lower bits lie in the words of \p motion.
+template <class P>
 struct PositionArrays {
   CoarsePosition *coarse;
   FinePosition *fine;
+  Motion<typename P::Real> *motion;
+  std::uint32_t fineMask;   ///< mixed: see Roles
 };
 
 GPUDEM_HD std::uint64_t join(std::uint32_t upper, std::uint32_t lower)
@@ -120,40 +119,55 @@ GPUDEM_HD std::uint64_t join(std::uint32_t upper, std::uint32_t lower)
   return (static_cast<std::uint64_t>(upper) << 32) | lower;
 }
 
-template <class P>
-GPUDEM_HD FixedPosition<P> loadPosition(const PositionArrays &a, std::uint32_t i);
+/// Eight bits of a coordinate from byte \p axis + 1 of the word.
+GPUDEM_HD std::uint64_t joinByte(std::uint32_t upper, std::uint32_t word, int axis, std::uint32_t fineMask)
+{
+  return join(upper, (word >> (8 * axis + 8) & fineMask) << 24);
+}
 
-template <>
-GPUDEM_HD FixedPosition<Mixed> loadPosition<Mixed>(const PositionArrays &a, std::uint32_t i)
+/// \param word of the grain's motion
+GPUDEM_HD FixedPosition loadPosition(const PositionArrays<Mixed> &a, std::uint32_t i, std::uint32_t word)
 {
   const CoarsePosition c = a.coarse[i];
-  return {c.x, c.y, c.z, static_cast<double>(c.radius)};
+  return {joinByte(c.x, word, 0, a.fineMask), joinByte(c.y, word, 1, a.fineMask), joinByte(c.z, word, 2, a.fineMask),
+          static_cast<double>(c.radius)};
 }
-template <>
-GPUDEM_HD FixedPosition<Double> loadPosition<Double>(const PositionArrays &a, std::uint32_t i)
+GPUDEM_HD FixedPosition loadPosition(const PositionArrays<Double> &a, std::uint32_t i, std::uint32_t)
 {
   const CoarsePosition c = a.coarse[i];
   const FinePosition f = a.fine[i];
   return {join(c.x, f.x), join(c.y, f.y), join(c.z, f.z), joinRadius(c.radius, f.radius)};
 }
+template <class P>
+GPUDEM_HD FixedPosition loadPosition(const PositionArrays<P> &a, std::uint32_t i)
+{
+  return loadPosition(a, i, P::fine ? 0u : a.motion[i].word);
+}
 
 /// Upper bits of the coordinates, without the radius.
-GPUDEM_HD CoarsePosition coarsePart(const FixedPosition<Mixed> &p) { return {p.x, p.y, p.z, 0.0f}; }
-GPUDEM_HD CoarsePosition coarsePart(const FixedPosition<Double> &p)
+GPUDEM_HD CoarsePosition coarsePart(const FixedPosition &p)
 {
   return {static_cast<std::uint32_t>(p.x >> 32), static_cast<std::uint32_t>(p.y >> 32),
           static_cast<std::uint32_t>(p.z >> 32), 0.0f};
 }
 
+/// \param word of the grain's motion, takes the lower bits; the caller stores it
 /// \return the coarse part
-GPUDEM_HD CoarsePosition storePosition(const PositionArrays &a, std::uint32_t i, const FixedPosition<Mixed> &p)
+GPUDEM_HD CoarsePosition storePosition(const PositionArrays<Mixed> &a, std::uint32_t i, const FixedPosition &p,
+                                       std::uint32_t &word)
 {
-  CoarsePosition c = coarsePart(p);
+  const std::uint64_t half = a.fineMask ? 1ull << 23 : 1ull << 31;   // to nearest
+  const FixedPosition q{p.x + half, p.y + half, p.z + half, p.radius};
+  CoarsePosition c = coarsePart(q);
   c.radius = static_cast<float>(p.radius);
   a.coarse[i] = c;
+  if (a.fineMask)
+    word = (word & 0xffu) | static_cast<std::uint32_t>(q.x >> 24 & 0xffu) << 8 |
+        static_cast<std::uint32_t>(q.y >> 24 & 0xffu) << 16 | static_cast<std::uint32_t>(q.z >> 24 & 0xffu) << 24;
   return c;
 }
-GPUDEM_HD CoarsePosition storePosition(const PositionArrays &a, std::uint32_t i, const FixedPosition<Double> &p)
+GPUDEM_HD CoarsePosition storePosition(const PositionArrays<Double> &a, std::uint32_t i, const FixedPosition &p,
+                                       std::uint32_t &)
 {
   CoarsePosition c = coarsePart(p);
   FinePosition f;
@@ -167,36 +181,17 @@ GPUDEM_HD CoarsePosition storePosition(const PositionArrays &a, std::uint32_t i,
 }
 
 /// Exact vector from b to a (distance); exact as long as they are closer than half a window.
-template <class P>
-GPUDEM_HD Vec3<double> separation(const FixedPosition<P> &a, const FixedPosition<P> &b, const Frame &frame)
+GPUDEM_HD Vec3<double> separation(const FixedPosition &a, const FixedPosition &b, const Frame &frame)
 {
-  using Signed = typename P::Signed;
-  const Vec3<double> &unit = P::fine ? frame.unit64 : frame.unit32;
-  return {static_cast<double>(static_cast<Signed>(a.x - b.x)) * unit.x,
-          static_cast<double>(static_cast<Signed>(a.y - b.y)) * unit.y,
-          static_cast<double>(static_cast<Signed>(a.z - b.z)) * unit.z};
-}
-
-GPUDEM_HD std::uint64_t widen(std::uint32_t x) { return static_cast<std::uint64_t>(x) << 32; }
-GPUDEM_HD std::uint64_t widen(std::uint64_t x) { return x; }
-template <class Fixed>
-GPUDEM_HD Fixed narrow(std::uint64_t x);
-template <>
-GPUDEM_HD std::uint32_t narrow<std::uint32_t>(std::uint64_t x)
-{
-  return static_cast<std::uint32_t>((x + 0x80000000ull) >> 32);  // to nearest
-}
-template <>
-GPUDEM_HD std::uint64_t narrow<std::uint64_t>(std::uint64_t x)
-{
-  return x;
+  return {static_cast<double>(static_cast<std::int64_t>(a.x - b.x)) * frame.unit64.x,
+          static_cast<double>(static_cast<std::int64_t>(a.y - b.y)) * frame.unit64.y,
+          static_cast<double>(static_cast<std::int64_t>(a.z - b.z)) * frame.unit64.z};
 }
 
 /// Absolute coordinate of a grain known to be within half a window of \p near (distance).
-template <class Fixed>
-GPUDEM_HD double toAbsolute(Fixed x, double near, double origin, double inverseWindow, double unit64)
+GPUDEM_HD double toAbsolute(std::uint64_t x, double near, double origin, double inverseWindow, double unit64)
 {
-  const std::int64_t away = static_cast<std::int64_t>(widen(x) - toFraction(near, origin, inverseWindow));
+  const std::int64_t away = static_cast<std::int64_t>(x - toFraction(near, origin, inverseWindow));
   return near + static_cast<double>(away) * unit64;
 }
 

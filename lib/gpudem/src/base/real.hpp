@@ -30,12 +30,12 @@ GPUDEM_HD double symmetricSum(double a, double b, double c, double d)
 #endif
 }
 
-GPUDEM_HD std::int32_t roundToInt(float x)
+GPUDEM_HD std::int64_t roundToInt(float x)
 {
 #ifdef __CUDA_ARCH__
-  return __float2int_rn(x);
+  return __float2ll_rn(x);
 #else
-  return __builtin_irintf(x);
+  return static_cast<std::int64_t>(x + std::copysign(0.5f, x));   // halves away from zero; fits SIMD lanes
 #endif
 }
 GPUDEM_HD std::int64_t roundToInt(double x)
@@ -43,7 +43,7 @@ GPUDEM_HD std::int64_t roundToInt(double x)
 #ifdef __CUDA_ARCH__
   return __double2ll_rn(x);
 #else
-  return static_cast<std::int64_t>(x + std::copysign(0.5, x));   // halves away from zero; fits SIMD lanes
+  return static_cast<std::int64_t>(x + std::copysign(0.5, x));
 #endif
 }
 

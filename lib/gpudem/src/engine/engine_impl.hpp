@@ -65,7 +65,13 @@ class EngineImpl final : public Engine {
   template <class T>
   using Array = typename Exec::template Array<T>;
 
-  PositionArrays positions(int which) { return {coarse_[which].data(), P::fine ? fine_[which].data() : nullptr}; }
+  /// Positions \p pos, whose lower bits in mixed precision belong to the motion \p mot.
+  PositionArrays<P> positions(int pos, int mot)
+  {
+    return {coarse_[pos].data(), P::fine ? fine_[pos].data() : nullptr, motion_[mot].data(), roles_.fineMask()};
+  }
+  PositionArrays<P> positions() { return positions(posNow_, motNow_); }
+  void setRoles();
   void resetStatus();
   void reserveParticles();
   std::size_t bytesPerGrain() const;
@@ -94,6 +100,7 @@ class EngineImpl final : public Engine {
   Exec exec_;
   Precision precision_;
   SceneSpec scene_;
+  Roles roles_;
   Box box_;
   CellGrid grid_{};
   Frame frame_{};
@@ -112,7 +119,7 @@ class EngineImpl final : public Engine {
   Array<Motion<Real>> motion_[2] = {Array<Motion<Real>>("velocities"), Array<Motion<Real>>("velocities (2)")};
   Array<int> type_{"types"}, image_{"image flags"}, intScratch_{"scratch"};
   Array<std::int32_t> tag_{"atom-IDs"};
-  Array<std::uint32_t> hostIndex_{"host indices"}, cell_{"cells of the grains"}, key_{"cell keys"},
+  Array<std::uint32_t> mask_{"group bits"}, hostIndex_{"host indices"}, cell_{"cells of the grains"}, key_{"cell keys"},
       order_{"sorting permutation"}, anchor_{"anchors"}, uintScratch_{"scratch (2)"};
   Array<Vec3<Real>> force_{"forces"}, torque_{"torques"}, vecScratch_{"scratch (3)"};
   Array<Vec3<double>> origin_{"original positions"}, originScratch_{"original positions (2)"};

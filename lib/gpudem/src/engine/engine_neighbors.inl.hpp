@@ -22,7 +22,7 @@ Extent EngineImpl<Exec, P>::extent(const Box &box)
   const double huge = std::numeric_limits<double>::max();
   const ExtentSum none{{huge, huge, huge}, {-huge, -huge, -huge}, 0};
   const ExtentSum s = exec_.reduce(
-      count_, GrainExtent<P>{positions(posNow_), cell_.data(), grid_, frame_, toBoxView(box)}, JoinExtents{}, none);
+      count_, GrainExtent<P>{positions(), cell_.data(), grid_, frame_, toBoxView(box)}, JoinExtents{}, none);
   for (int d = 0; d < 3; ++d) {
     e.lo[d] = s.lo[d];
     e.hi[d] = s.hi[d];
@@ -82,7 +82,7 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
 
   key_.reserve(count_);
   order_.reserve(count_);
-  exec_.forEach(count_, PlaceGrains<P>{positions(posNow_), cell_.data(), grid_, fresh, frame_, toBoxView(box_),
+  exec_.forEach(count_, PlaceGrains<P>{positions(), cell_.data(), grid_, fresh, frame_, toBoxView(box_),
                                        image_.data(), key_.data()});
   grid_ = fresh;
   exec_.sort(key_, cell_, order_, count_, grid_.cells());
@@ -97,6 +97,7 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
   permute(image_, intScratch_);
   permute(tag_, intScratch_);
   permute(hostIndex_, uintScratch_);
+  permute(mask_, uintScratch_);
   if (forceValid_) {
     permute(force_, vecScratch_);
     permute(torque_, vecScratch_);
@@ -121,8 +122,8 @@ void EngineImpl<Exec, P>::buildTable()
 
   BuildView<P> v{};
   v.count = count_;
-  v.position = positions(posNow_);
-  v.motion = motion_[motNow_].data();
+  v.position = positions();
+  v.mask = mask_.data();
   v.type = type_.data();
   v.tag = tag_.data();
   v.cell = cell_.data();
@@ -151,7 +152,7 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::setAnchors()
 {
   SetAnchors<P> s{};
-  s.position = positions(posNow_);
+  s.position = positions();
   s.motion = motion_[motNow_].data();
   s.cell = cell_.data();
   s.grid = grid_;
@@ -161,7 +162,7 @@ void EngineImpl<Exec, P>::setAnchors()
   s.walls = static_cast<int>(scene_.walls.size());
   for (int w = 0; w < s.walls; ++w) {
     const WallSpec &spec = scene_.walls[w];
-    s.wall[w] = wallAt<Real>(spec, spec.stepOrigin, scene_.timestep, wallSpring_[w].data(), nullptr);
+    s.wall[w] = wallAt<Real>(spec, roles_, spec.stepOrigin, scene_.timestep, wallSpring_[w].data(), nullptr);
     const bool sweeps = spec.wiggle && spec.shape == WallShape::Plane && spec.axis == spec.motionAxis;
     s.wallLoReach[w] = sweeps ? std::min(0.0, 2.0 * spec.amplitude) : 0.0;
     s.wallHiReach[w] = sweeps ? std::max(0.0, 2.0 * spec.amplitude) : 0.0;

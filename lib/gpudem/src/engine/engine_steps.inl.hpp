@@ -26,6 +26,7 @@ void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
     throw Error(fmt::format("{} group exclusions, at most {}", scene.exclusions.groups.size(), maxGroupExclusions));
   scene_ = scene;
   rowsValid_ = false;
+  setRoles();
 
   wallSpring_.clear();
   wallContacts_.clear();
@@ -54,6 +55,16 @@ void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
   }
 }
 
+/// Give the grains the roles of the scene; a position keeps its lower bits if there is still room for them.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::setRoles()
+{
+  const std::uint32_t before = roles_.fineMask();
+  roles_ = rolesOf(scene_);
+  const std::uint32_t keep = before && roles_.fineMask() ? ~0xffu : 0u;
+  if (count_) exec_.forEach(count_, SetRoles<Real>{roles_, keep, mask_.data(), motion_[motNow_].data()});
+}
+
 template <class Exec, class P>
 StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
 {
@@ -61,21 +72,21 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   v.count = count_;
   v.step = static_cast<std::uint32_t>(in.step);
   v.status = status_.data();
-  v.in = v.out = positions(posNow_);
+  v.in = v.out = positions();
   v.motionIn = v.motionOut = motion_[motNow_].data();
   if constexpr (Exec::onGpu) v.rows = table_.view();
   v.anchor = anchor_.data();
   v.anchorRule = anchorRule_;
   v.frame = frame_;
-  const double units = P::fine ? 18446744073709551616.0 : 4294967296.0;
+  const double units = std::ldexp(1.0, P::fine ? 64 : 40);
   v.perUnit = (frame_.inverse * units).template as<Real>();
   v.reachSlack =
       static_cast<float>(4.0 * std::max(frame_.unit32.x, std::max(frame_.unit32.y, frame_.unit32.z)));
   const double widest = std::max(frame_.window.x, std::max(frame_.window.y, frame_.window.z));
   // two coordinates rounded to the unit (mixed), or to the 53 bits of the host's doubles
-  v.touchMargin = 2.0 * std::ldexp(widest, P::fine ? -50 : -31);
+  v.touchMargin = 2.0 * std::ldexp(widest, P::fine ? -50 : roles_.fineMask() ? -39 : -31);
   v.law = coefficients<Real>(scene_.pair);
-  v.frozenMask = scene_.frozenMask;
+  v.frozenRole = roles_.of(scene_.frozenMask);
   v.dt = static_cast<Real>(scene_.timestep);
   v.halfKick = scene_.halfKick;
   v.advanceSprings = true;
@@ -85,7 +96,7 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
     const bool moving = k < static_cast<int>(in.termValue.size());
     TermView<Real> &o = v.term[k];
     o.kind = t.kind;
-    o.groupMask = t.groupMask;
+    o.role = roles_.of(t.groupMask);
     o.value = toVec3(moving ? in.termValue[k] : t.value).as<Real>();
     o.prescribed = componentBits(t.prescribed);
     o.wall = t.wall;
@@ -93,10 +104,10 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
     o.before = nullptr;
   }
   for (std::size_t w = 0; w < scene_.walls.size(); ++w)
-    v.wall[w] = wallAt<Real>(scene_.walls[w], in.step, scene_.timestep, wallSpring_[w].data(), nullptr);
+    v.wall[w] = wallAt<Real>(scene_.walls[w], roles_, in.step, scene_.timestep, wallSpring_[w].data(), nullptr);
   v.integrators = static_cast<int>(scene_.integrators.size());
   for (int k = 0; k < v.integrators; ++k)
-    v.integrator[k] = integratorAt(scene_.integrators[k], coming, scene_.timestep, scene_.halfKick);
+    v.integrator[k] = integratorAt(scene_.integrators[k], roles_, coming, scene_.timestep, scene_.halfKick);
   v.cell = cell_.data();
   v.grid = grid_;
   v.type = type_.data();
@@ -257,8 +268,8 @@ void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
   requireRows("a step");
   StepView<P> v = view(in, in.step + 1);
   const int from = queued_ & 1;
-  v.in = positions(posNow_ ^ from);
-  v.out = positions(posNow_ ^ from ^ 1);
+  v.in = positions(posNow_ ^ from, motNow_ ^ from);
+  v.out = positions(posNow_ ^ from ^ 1, motNow_ ^ from ^ 1);
   v.motionIn = motion_[motNow_ ^ from].data();
   v.motionOut = motion_[motNow_ ^ from ^ 1].data();
   v.sequence = static_cast<std::uint32_t>(++queued_);
@@ -293,7 +304,7 @@ KineticSums EngineImpl<Exec, P>::kineticSums(std::uint32_t groupMask, const Arra
   KineticSums k;
   if (!count_) return k;
   const Sums<9> s = exec_.reduce(count_,
-                                 KineticTerms<P>{positions(posNow_), motion_[motNow_].data(), cell_.data(), grid_,
+                                 KineticTerms<P>{positions(), motion_[motNow_].data(), mask_.data(), cell_.data(), grid_,
                                                  frame_, groupMask, toVec3(gravity)},
                                  AddSums{}, Sums<9>{});
   for (int d = 0; d < 6; ++d) k.momentumFlux[d] = s.value[d];

@@ -18,7 +18,7 @@ MemoryReport EngineImpl<Exec, P>::memory() const
     add(motion_[k]);
   }
   for (const auto *a : {&type_, &image_, &intScratch_, &tag_, &storePartner_}) add(*a);
-  for (const auto *a : {&hostIndex_, &cell_, &key_, &order_, &anchor_, &uintScratch_, &cellFirst_, &cellEnd_,
+  for (const auto *a : {&mask_, &hostIndex_, &cell_, &key_, &order_, &anchor_, &uintScratch_, &cellFirst_, &cellEnd_,
                         &storeOffset_})
     add(*a);
   for (const auto *a : {&force_, &torque_, &vecScratch_}) add(*a);
@@ -38,7 +38,7 @@ std::size_t EngineImpl<Exec, P>::bytesPerGrain() const
 {
   const double entries = report_.entriesPerGrain > 0.0 ? report_.entriesPerGrain : 10.0;
   std::size_t b = 2 * (sizeof(CoarsePosition) + sizeof(Motion<Real>) + (P::fine ? sizeof(FinePosition) : 0));
-  b += 14 * sizeof(std::uint32_t) + 3 * sizeof(Vec3<Real>);   // indices, flags, keys; forces, torques, scratch
+  b += 15 * sizeof(std::uint32_t) + 3 * sizeof(Vec3<Real>);   // indices, flags, keys; forces, torques, scratch
   b += static_cast<std::size_t>(entries * sizeof(std::uint32_t));
   if (scene_.pair.hasHistory())   // springs in the rows and, for some six contacts, in the store
     b += static_cast<std::size_t>(entries * 3 * sizeof(Real)) + 6 * (3 * sizeof(Real) + sizeof(std::int32_t));
@@ -78,6 +78,7 @@ void EngineImpl<Exec, P>::reserveParticles()
   image_.reserve(n);
   tag_.reserve(n);
   hostIndex_.reserve(n);
+  mask_.reserve(n);
   cell_.reserve(n);
   anchor_.reserve(n);
   force_.reserve(n);
@@ -165,13 +166,13 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
     return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_);
   };
   if ((fields & fieldShape) && host.radius) {
-    exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), index, positions(posNow_)});
+    exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), index, positions()});
     exec_.forEach(count_, ImportMass<Real>{stageIn(host.mass, count_), index, motion});
     rowsValid_ = false;
   }
   if ((fields & fieldPosition) && host.position) {
     exec_.forEach(count_, ImportPositions<P>{vectors(host.position), nullptr, index, grid_, frame_,
-                                             positions(posNow_), cell_.data()});
+                                             positions(), cell_.data()});
     rowsValid_ = false;
   }
   if ((fields & fieldVelocity) && host.velocity)
@@ -183,7 +184,8 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
   if ((fields & fieldTorque) && host.torque)
     exec_.forEach(count_, ImportValues<Vec3<double>, Vec3<Real>>{vectors(host.torque), index, torque_.data()});
   if ((fields & fieldMask) && host.mask) {
-    exec_.forEach(count_, ImportMask<Real>{stageIn(host.mask, count_), index, motion});
+    exec_.forEach(count_, ImportValues<int, std::uint32_t>{stageIn(host.mask, count_), index, mask_.data()});
+    setRoles();
     exec_.forEach(count_, ImportValues<int, int>{stageIn(host.type, count_), index, type_.data()});
     rowsValid_ = false;
   }
@@ -202,7 +204,7 @@ void EngineImpl<Exec, P>::downloadFields(const HostParticles &host, unsigned fie
   Vec3<double> *out = stageOut<Vec3<double>>(count_);
   const auto deliver = [&](double *host) { exec_.copyOut(reinterpret_cast<Vec3<double> *>(host), out, count_); };
   if ((fields & fieldPosition) && host.position) {
-    exec_.forEach(count_, ExportPositions<P>{positions(posNow_), cell_.data(), index, grid_, frame_, out});
+    exec_.forEach(count_, ExportPositions<P>{positions(), cell_.data(), index, grid_, frame_, out});
     deliver(host.position);
   }
   if ((fields & fieldVelocity) && host.velocity) {

@@ -5,6 +5,7 @@
 
 #include "base/identity.hpp"
 #include "neighbor/cell_grid.hpp"
+#include "step/roles.hpp"
 #include "step/step_view.hpp"
 
 namespace gpudem {
@@ -21,18 +22,17 @@ struct ImportPositions {
   const std::uint32_t *hostIndex;
   CellGrid grid;
   Frame frame;
-  PositionArrays out;
+  PositionArrays<P> out;
   std::uint32_t *cell;
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
-    using Fixed = typename P::Fixed;
     const std::uint32_t h = hostIndex[i];
-    FixedPosition<P> p;
-    p.x = narrow<Fixed>(toFraction(x[h].x, frame.origin.x, frame.inverse.x));
-    p.y = narrow<Fixed>(toFraction(x[h].y, frame.origin.y, frame.inverse.y));
-    p.z = narrow<Fixed>(toFraction(x[h].z, frame.origin.z, frame.inverse.z));
-    p.radius = radius ? radius[h] : loadPosition<P>(out, i).radius;
-    storePosition(out, i, p);
+    FixedPosition p;
+    p.x = toFraction(x[h].x, frame.origin.x, frame.inverse.x);
+    p.y = toFraction(x[h].y, frame.origin.y, frame.inverse.y);
+    p.z = toFraction(x[h].z, frame.origin.z, frame.inverse.z);
+    p.radius = radius ? radius[h] : loadPosition(out, i).radius;
+    storePosition(out, i, p, out.motion[i].word);
     cell[i] = grid.cellOf(x[h]);
   }
 };
@@ -43,12 +43,12 @@ struct ImportRadius {
   static constexpr int minimumBlocks = 1;
   const double *radius;
   const std::uint32_t *hostIndex;
-  PositionArrays out;
+  PositionArrays<P> out;
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
-    FixedPosition<P> p = loadPosition<P>(out, i);
+    FixedPosition p = loadPosition(out, i);
     p.radius = radius[hostIndex[i]];
-    storePosition(out, i, p);
+    storePosition(out, i, p, out.motion[i].word);
   }
 };
 
@@ -56,14 +56,14 @@ template <class P>
 struct ExportPositions {
   static constexpr int blockSize = 256;
   static constexpr int minimumBlocks = 1;
-  PositionArrays in;
+  PositionArrays<P> in;
   const std::uint32_t *cell, *hostIndex;
   CellGrid grid;
   Frame frame;
   Vec3<double> *x;
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
-    x[hostIndex[i]] = absolutePosition(loadPosition<P>(in, i), cell[i], grid, frame);
+    x[hostIndex[i]] = absolutePosition(loadPosition(in, i), cell[i], grid, frame);
   }
 };
 
@@ -117,14 +117,22 @@ struct ImportMass {
   GPUDEM_HD void operator()(std::uint32_t i) const { out[i].mass = static_cast<Real>(in[hostIndex[i]]); }
 };
 
+/// Roles of the grains from their group bits.
 template <class Real>
-struct ImportMask {
+struct SetRoles {
   static constexpr int blockSize = 256;
   static constexpr int minimumBlocks = 1;
-  const int *in;
-  const std::uint32_t *hostIndex;
+  Roles roles;
+  std::uint32_t keep;          ///< bits of the word that hold a position
+  const std::uint32_t *mask;   ///< group bits
   Motion<Real> *out;
-  GPUDEM_HD void operator()(std::uint32_t i) const { out[i].mask = static_cast<std::uint32_t>(in[hostIndex[i]]); }
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    std::uint32_t word = out[i].word & keep;
+    for (int r = 0; r < roles.count; ++r)
+      if (mask[i] & roles.group[r]) word |= 1u << r;
+    out[i].word = word;
+  }
 };
 
 template <class From, class To>

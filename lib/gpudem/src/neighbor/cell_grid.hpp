@@ -51,8 +51,7 @@ struct CellGrid {
 };
 
 /// Absolute position of a grain that sits in or near \p cell (distance).
-template <class P>
-GPUDEM_HD Vec3<double> absolutePosition(const FixedPosition<P> &p, std::uint32_t cell, const CellGrid &grid,
+GPUDEM_HD Vec3<double> absolutePosition(const FixedPosition &p, std::uint32_t cell, const CellGrid &grid,
                                         const Frame &frame)
 {
   const Vec3<double> c = grid.centre(cell);

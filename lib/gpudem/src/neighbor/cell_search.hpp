@@ -99,7 +99,7 @@ void forEachPair(const BuildView<P> &v, std::uint32_t begin, std::uint32_t end, 
       const std::uint32_t j = list.found[k];
       if (j == i || (j < i && j >= begin)) continue;
       if (anyExclusion &&
-          v.exclude.excluded(v.motion[i].mask, v.motion[j].mask, v.type[i], v.type[j]))
+          v.exclude.excluded(v.mask[i], v.mask[j], v.type[i], v.type[j]))
         continue;
       pair(i, j);
     }

@@ -67,7 +67,7 @@ struct BuildPairs {
       pairs.mirror.push_back(static_cast<std::uint16_t>(inside ? j - begin : grainsPerChunk));
     };
     forEachPair(v, begin, end, candidates, [&](std::uint32_t i, std::uint32_t j) {
-      const FixedPosition<P> p = loadPosition<P>(v.position, i), q = loadPosition<P>(v.position, j);
+      const FixedPosition p = loadPosition(v.position, i), q = loadPosition(v.position, j);
       const Vec3<double> d = separation(p, q, v.frame);
       const double reach = p.radius + q.radius;
       if (dot(d, d) < reach * reach) {

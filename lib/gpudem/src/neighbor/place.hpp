@@ -27,7 +27,7 @@ template <class P>
 struct PlaceGrains {
   static constexpr int blockSize = 256;
   static constexpr int minimumBlocks = 1;
-  PositionArrays position;
+  PositionArrays<P> position;
   const std::uint32_t *cell;
   CellGrid oldGrid, newGrid;
   Frame frame;
@@ -37,7 +37,7 @@ struct PlaceGrains {
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
-    Vec3<double> x = absolutePosition(loadPosition<P>(position, i), cell[i], oldGrid, frame);
+    Vec3<double> x = absolutePosition(loadPosition(position, i), cell[i], oldGrid, frame);
     for (int d = 0; d < 3; ++d) {
       if (!box.periodic[d]) continue;
       const double length = box.hi[d] - box.lo[d];
@@ -68,14 +68,14 @@ struct JoinExtents {
 };
 template <class P>
 struct GrainExtent {
-  PositionArrays position;
+  PositionArrays<P> position;
   const std::uint32_t *cell;
   CellGrid grid;
   Frame frame;
   BoxView box;
   GPUDEM_HD ExtentSum operator()(std::uint32_t i) const
   {
-    const Vec3<double> x = absolutePosition(loadPosition<P>(position, i), cell[i], grid, frame);
+    const Vec3<double> x = absolutePosition(loadPosition(position, i), cell[i], grid, frame);
     ExtentSum r{{x.x, x.y, x.z}, {x.x, x.y, x.z}, 0};
     for (int d = 0; d < 3; ++d)
       if (!box.periodic[d] && !(x[d] >= box.lo[d] && x[d] < box.hi[d])) r.outside = 1;
@@ -113,7 +113,7 @@ struct SetAnchors {
   using Real = typename P::Real;
   static constexpr int blockSize = 256;
   static constexpr int minimumBlocks = 1;
-  PositionArrays position;
+  PositionArrays<P> position;
   const Motion<Real> *motion;
   const std::uint32_t *cell;
   CellGrid grid;
@@ -131,11 +131,11 @@ struct SetAnchors {
     std::uint32_t a = ((c.x >> rule.shiftX) & 1023u) | ((c.y >> rule.shiftY) & 1023u) << 10 |
         ((c.z >> rule.shiftZ) & 1023u) << 20;
     if (walls > 0) {
-      const FixedPosition<P> p = loadPosition<P>(position, i);
+      const FixedPosition p = loadPosition(position, i);
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
-      const std::uint32_t mask = motion[i].mask;
+      const std::uint32_t roles = motion[i].word;
       for (int w = 0; w < walls; ++w) {
-        if ((mask & wall[w].groupMask) && within(w, x, p.radius + 0.5 * skin)) a |= nearWallBit;
+        if ((roles & wall[w].role) && within(w, x, p.radius + 0.5 * skin)) a |= nearWallBit;
       }
       if (!(a & nearWallBit))
         for (int w = 0; w < walls; ++w)

@@ -35,8 +35,8 @@ template <class P>
 struct BuildView {
   using Real = typename P::Real;
   std::uint32_t count;
-  PositionArrays position;
-  const Motion<Real> *motion;
+  PositionArrays<P> position;
+  const std::uint32_t *mask;        ///< [n] group bits
   const int *type;
   const std::int32_t *tag;
   const std::uint32_t *cell;        ///< [n] sorted
@@ -53,7 +53,7 @@ template <class P, class Visit>
 GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
 {
   const CoarsePosition p = v.position.coarse[i];
-  const std::uint32_t mask = v.motion[i].mask;
+  const std::uint32_t mask = v.mask[i];
   const float ux = static_cast<float>(v.frame.unit32.x), uy = static_cast<float>(v.frame.unit32.y),
               uz = static_cast<float>(v.frame.unit32.z);
   const bool anyExclusion = v.exclude.groups > 0 || v.exclude.typeTable != nullptr;
@@ -66,7 +66,7 @@ GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&v
       const float dz = static_cast<float>(static_cast<std::int32_t>(p.z - q.z)) * uz;
       const float reach = (p.radius + q.radius) * 1.000001f + v.skin + v.reachSlack;
       if (dx * dx + dy * dy + dz * dz >= reach * reach || j == i) continue;
-      if (anyExclusion && v.exclude.excluded(mask, v.motion[j].mask, v.type[i], v.type[j])) continue;
+      if (anyExclusion && v.exclude.excluded(mask, v.mask[j], v.type[i], v.type[j])) continue;
       visit(j);
     }
   });
@@ -137,10 +137,10 @@ struct FillRows {
       from = store.offset[oldIndex[i]];
       to = store.offset[oldIndex[i] + 1];
     }
-    const FixedPosition<P> p = loadPosition<P>(v.position, i);
+    const FixedPosition p = loadPosition(v.position, i);
     std::uint32_t front = 0, back = length[i];
     neighbors([&](std::uint32_t j) {
-      const FixedPosition<P> q = loadPosition<P>(v.position, j);
+      const FixedPosition q = loadPosition(v.position, j);
       const Vec3<double> d = separation(p, q, v.frame);
       const double reach = p.radius + q.radius;
       if (dot(d, d) < reach * reach) {

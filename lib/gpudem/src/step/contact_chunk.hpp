@@ -50,8 +50,8 @@ struct ContactChunk {
     }
     for (std::uint32_t g = 0; g < grains; ++g) {
       const std::uint32_t i = begin + g;
-      FixedPosition<P> p = loadPosition<P>(s.in, i);
       Motion<Real> m = s.motionIn[i];
+      FixedPosition p = loadPosition(s.in, i, m.word);
       const Real *a = sums.load[g];
       completeGrain<mode, walls>(s, i, p, m, Vec3<Real>{a[0], a[1], a[2]}, Vec3<Real>{a[3], a[4], a[5]},
                                  sums.virialOf(g));
@@ -77,7 +77,7 @@ struct ContactChunk {
     int size = 0;
     std::uint32_t pair[stride];
     Real radius[stride], radius2[stride];
-    Real bx[stride], by[stride], bz[stride], room2[stride], reach[stride], radii[stride];
+    Real bx[stride], by[stride], bz[stride], room2[stride], reach[stride];
     Real product[stride], sum[stride], vx[stride], vy[stride], vz[stride];
     Real wx[stride], wy[stride], wz[stride], sx[stride], sy[stride], sz[stride];
     Real fx[stride], fy[stride], fz[stride], cx[stride], cy[stride], cz[stride];
@@ -112,28 +112,26 @@ struct ContactChunk {
     b.size = 0;
     for (std::uint32_t n = 0; n < candidates; ++n) {
       const std::uint32_t k = candidate[n], i = begin + owner[k], j = partner[k];
-      const FixedPosition<P> p = loadPosition<P>(s.in, i), q = loadPosition<P>(s.in, j);
+      const Motion<Real> &m = s.motionIn[i];
       GatheredPair<Real> g;
-      const bool touches = gatherPair(s, p, s.motionIn[i], q, s.motionIn[j], g);
-      put(b, k, static_cast<Real>(p.radius), static_cast<Real>(q.radius), g, pairs);
+      const bool touches = gatherPair(s, loadPosition(s.in, i, m.word), m, j, g);
+      put(b, k, g, pairs);
       if (history) pairs.touching[k] = touches ? 1 : 0;
       b.size += touches ? 1 : 0;
     }
   }
 
-  static void put(Batch &b, std::uint32_t k, Real radius, Real radius2, const GatheredPair<Real> &g,
-                  const PairChunk<Real> &pairs)
+  static void put(Batch &b, std::uint32_t k, const GatheredPair<Real> &g, const PairChunk<Real> &pairs)
   {
     const int n = b.size;
     b.pair[n] = k;
-    b.radius[n] = radius;
-    b.radius2[n] = radius2;
+    b.radius[n] = g.radius;
+    b.radius2[n] = g.radius2;
     b.bx[n] = g.branch.x;
     b.by[n] = g.branch.y;
     b.bz[n] = g.branch.z;
     b.room2[n] = g.room2;
     b.reach[n] = g.reach;
-    b.radii[n] = g.radiusProduct;
     b.product[n] = g.massProduct;
     b.sum[n] = g.massSum;
     b.vx[n] = g.relativeVelocity.x;
@@ -186,9 +184,9 @@ struct ContactChunk {
     const int size = b.padded();
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) {
-      const GatheredPair<Real> g{{b.bx[n], b.by[n], b.bz[n]}, b.room2[n], b.reach[n], b.radii[n],
-                                 b.product[n], b.sum[n], {b.vx[n], b.vy[n], b.vz[n]},
-                                 {b.wx[n], b.wy[n], b.wz[n]}};
+      const GatheredPair<Real> g{{b.bx[n], b.by[n], b.bz[n]}, b.room2[n], b.reach[n],
+                                 b.product[n], b.sum[n], b.radius[n], b.radius2[n],
+                                 {b.vx[n], b.vy[n], b.vz[n]}, {b.wx[n], b.wy[n], b.wz[n]}};
       Vec3<Real> spring{history ? b.sx[n] : Real(0), history ? b.sy[n] : Real(0), history ? b.sz[n] : Real(0)};
       const ContactForce<Real> f =
           springDashpot<normal, tangential>(law, toContact<normal>(g), spring, dt, advance);

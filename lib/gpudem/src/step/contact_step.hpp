@@ -17,7 +17,7 @@ namespace gpudem {
 
 /// What follows the contact forces of grain \p i: force terms, then its motion or the record of the event.
 template <StepMode mode, bool walls, class P>
-GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPosition<P> &p,
+GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPosition &p,
                              Motion<typename P::Real> &m, Vec3<typename P::Real> force,
                              Vec3<typename P::Real> torque, const typename P::Real *virial)
 {
@@ -27,7 +27,7 @@ GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPositio
   if (mode == StepMode::Fused) {
     kickGrain(s, i, p.radius, force, torque, Real(2), m);
     const bool moved = driftGrain(s, i, p, m);
-    const CoarsePosition now = storePosition(s.out, i, p);
+    const CoarsePosition now = storePosition(s.out, i, p, m.word);
     s.motionOut[i] = m;
     if (moved) raiseAlarm(s, i, alarmOf(s, anchor, now, m));
   } else {
@@ -77,8 +77,8 @@ struct ContactStep {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     if (s.sequence > s.status->lastAllowed) return;
-    FixedPosition<P> p = loadPosition<P>(s.in, i);
     Motion<Real> m = s.motionIn[i];
+    FixedPosition p = loadPosition(s.in, i, m.word);
     Vec3<Real> force{Real(0), Real(0), Real(0)}, torque{Real(0), Real(0), Real(0)};
     Real virial[6] = {Real(0), Real(0), Real(0), Real(0), Real(0), Real(0)};
 
@@ -98,7 +98,7 @@ struct ContactStep {
  private:
   /// The contacts among entries first .. first+31 whose bit is set.
   GPUDEM_HD void visit(std::uint32_t base, std::uint32_t slice, std::uint32_t lane, std::uint32_t first,
-                       std::uint32_t bits, const FixedPosition<P> &p, const Motion<Real> &m, Vec3<Real> &force,
+                       std::uint32_t bits, const FixedPosition &p, const Motion<Real> &m, Vec3<Real> &force,
                        Vec3<Real> &torque, Real *virial) const
   {
     constexpr bool history = tangential == TangentialModel::Spring;
@@ -114,7 +114,7 @@ struct ContactStep {
       const std::uint32_t entry = base + (first + static_cast<std::uint32_t>(k)) * W;
       const std::uint32_t j = s.rows.neighbor[entry];
       GatheredPair<Real> g;
-      if (!gatherPair(s, p, m, loadPosition<P>(s.in, j), s.motionIn[j], g)) continue;
+      if (!gatherPair(s, p, m, j, g)) continue;
       Vec3<Real> spring{Real(0), Real(0), Real(0)};
       Real *slot = nullptr;
       if (history) {
@@ -146,11 +146,11 @@ struct BeginStep {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     using Real = typename P::Real;
-    FixedPosition<P> p = loadPosition<P>(s.in, i);
     Motion<Real> m = s.motionIn[i];
+    FixedPosition p = loadPosition(s.in, i, m.word);
     kickGrain(s, i, p.radius, s.force[i], s.torque[i], Real(1), m);
     const bool moved = driftGrain(s, i, p, m);
-    const CoarsePosition now = storePosition(s.out, i, p);
+    const CoarsePosition now = storePosition(s.out, i, p, m.word);
     s.motionOut[i] = m;
     if (moved) raiseAlarm(s, i, alarmOf(s, s.anchor[i], now, m));
   }
@@ -166,7 +166,7 @@ struct FinishStep {
   {
     using Real = typename P::Real;
     Motion<Real> m = s.motionIn[i];
-    kickGrain(s, i, loadPosition<P>(s.in, i).radius, s.force[i], s.torque[i], Real(1), m);
+    kickGrain(s, i, loadPosition(s.in, i, m.word).radius, s.force[i], s.torque[i], Real(1), m);
     s.motionOut[i] = m;
   }
 };

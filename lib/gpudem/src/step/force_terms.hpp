@@ -11,14 +11,14 @@ namespace gpudem {
 /// \param walls    false removes all wall code from the kernel
 /// \param nearWall the grain was within reach of a wall when the rows were built
 template <bool walls, class P>
-GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const FixedPosition<P> &p, bool nearWall,
+GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const FixedPosition &p, bool nearWall,
                                Motion<typename P::Real> &m, Vec3<typename P::Real> &force,
                                Vec3<typename P::Real> &torque)
 {
   using Real = typename P::Real;
   for (int k = 0; k < s.terms; ++k) {
     const TermView<Real> &term = s.term[k];
-    if (!(m.mask & term.groupMask)) {
+    if (!(m.word & term.role)) {
       if (term.before) term.before[i] = {Real(0), Real(0), Real(0)};
       continue;
     }

@@ -12,10 +12,11 @@
 
 namespace gpudem {
 
+/// \param perUnit stored units per distance: 2^64 per window in double precision, 2^40 in mixed
 template <class P>
-GPUDEM_HD typename P::Fixed advance(typename P::Fixed x, typename P::Real distance, typename P::Real perUnit)
+GPUDEM_HD std::uint64_t advance(std::uint64_t x, typename P::Real distance, typename P::Real perUnit)
 {
-  return x + static_cast<typename P::Fixed>(roundToInt(distance * perUnit));
+  return x + (static_cast<std::uint64_t>(roundToInt(distance * perUnit)) << (P::fine ? 0 : 24));
 }
 
 /// Kick of fix nve/sphere: velocity and spin by \p halves half kicks.
@@ -38,7 +39,7 @@ GPUDEM_HD void kickSphere(const StepView<P> &s, const IntegratorView &it, double
 
 /// Drift of fix nve/sphere.
 template <class P>
-GPUDEM_HD void driftSphere(const StepView<P> &s, FixedPosition<P> &p, const Motion<typename P::Real> &m)
+GPUDEM_HD void driftSphere(const StepView<P> &s, FixedPosition &p, const Motion<typename P::Real> &m)
 {
   p.x = advance<P>(p.x, s.dt * m.vx, s.perUnit.x);
   p.y = advance<P>(p.y, s.dt * m.vy, s.perUnit.y);
@@ -55,7 +56,7 @@ GPUDEM_HD void kickGrain(const StepView<P> &s, std::uint32_t i, double radius,
   RoundingBits random(i, s.step);
   for (int k = 0; k < s.integrators; ++k) {
     const IntegratorView &it = s.integrator[k];
-    if (!(m.mask & it.groupMask) || it.kind == IntegratorKind::Rotate) continue;
+    if (!(m.word & it.role) || it.kind == IntegratorKind::Rotate) continue;
     if (it.kind == IntegratorKind::NveSphere) {
       kickSphere(s, it, radius, force, torque, halves, random, m);
       continue;
@@ -82,15 +83,14 @@ GPUDEM_HD void rotateGrain(const IntegratorView &it, const Vec3<double> &origin,
 /// Positions advance by a step; prescribed motion sets positions and velocities.
 /// \return whether any integrator moved the grain
 template <class P>
-GPUDEM_HD bool driftGrain(const StepView<P> &s, std::uint32_t i, FixedPosition<P> &p, Motion<typename P::Real> &m)
+GPUDEM_HD bool driftGrain(const StepView<P> &s, std::uint32_t i, FixedPosition &p, Motion<typename P::Real> &m)
 {
   using Real = typename P::Real;
-  using Fixed = typename P::Fixed;
   const Frame &f = s.frame;
   bool moved = false;
   for (int k = 0; k < s.integrators; ++k) {
     const IntegratorView &it = s.integrator[k];
-    if (!(m.mask & it.groupMask)) continue;
+    if (!(m.word & it.role)) continue;
     moved = true;
     if (it.kind == IntegratorKind::NveSphere) {
       driftSphere(s, p, m);
@@ -99,9 +99,9 @@ GPUDEM_HD bool driftGrain(const StepView<P> &s, std::uint32_t i, FixedPosition<P
     if (it.kind == IntegratorKind::Rotate) {
       Vec3<double> x, v;
       rotateGrain(it, s.origin[i], x, v);
-      p.x = narrow<Fixed>(toFraction(x.x, f.origin.x, f.inverse.x));
-      p.y = narrow<Fixed>(toFraction(x.y, f.origin.y, f.inverse.y));
-      p.z = narrow<Fixed>(toFraction(x.z, f.origin.z, f.inverse.z));
+      p.x = toFraction(x.x, f.origin.x, f.inverse.x);
+      p.y = toFraction(x.y, f.origin.y, f.inverse.y);
+      p.z = toFraction(x.z, f.origin.z, f.inverse.z);
       m.vx = static_cast<Real>(v.x);
       m.vy = static_cast<Real>(v.y);
       m.vz = static_cast<Real>(v.z);
@@ -113,19 +113,19 @@ GPUDEM_HD bool driftGrain(const StepView<P> &s, std::uint32_t i, FixedPosition<P
     const Vec3<double> to = s.origin[i] + it.displacement;
     if (it.prescribed & 1) {
       m.vx = static_cast<Real>(it.velocity.x);
-      p.x = narrow<Fixed>(toFraction(to.x, f.origin.x, f.inverse.x));
+      p.x = toFraction(to.x, f.origin.x, f.inverse.x);
     } else {
       p.x = advance<P>(p.x, s.dt * m.vx, s.perUnit.x);
     }
     if (it.prescribed & 2) {
       m.vy = static_cast<Real>(it.velocity.y);
-      p.y = narrow<Fixed>(toFraction(to.y, f.origin.y, f.inverse.y));
+      p.y = toFraction(to.y, f.origin.y, f.inverse.y);
     } else {
       p.y = advance<P>(p.y, s.dt * m.vy, s.perUnit.y);
     }
     if (it.prescribed & 4) {
       m.vz = static_cast<Real>(it.velocity.z);
-      p.z = narrow<Fixed>(toFraction(to.z, f.origin.z, f.inverse.z));
+      p.z = toFraction(to.z, f.origin.z, f.inverse.z);
     } else {
       p.z = advance<P>(p.z, s.dt * m.vz, s.perUnit.z);
     }

@@ -36,8 +36,8 @@ class MotionChunk {
  private:
   void read(const StepView<P> &s, std::uint32_t i, std::uint32_t g, const Real *load)
   {
-    const FixedPosition<P> p = loadPosition<P>(s.in, i);
     Motion<Real> m = s.motionIn[i];
+    const FixedPosition p = loadPosition(s.in, i, m.word);
     const std::uint32_t anchor = s.anchor[i];
     Vec3<Real> force{load[0], load[1], load[2]}, torque{load[3], load[4], load[5]};
     applyForceTerms<walls>(s, i, p, (anchor & nearWallBit) != 0, m, force, torque);
@@ -52,7 +52,7 @@ class MotionChunk {
     wx_[g] = m.wx;
     wy_[g] = m.wy;
     wz_[g] = m.wz;
-    mask_[g] = m.mask;
+    word_[g] = m.word;
     fx_[g] = force.x;
     fy_[g] = force.y;
     fz_[g] = force.z;
@@ -77,12 +77,12 @@ class MotionChunk {
       m.wx = wx_[g];
       m.wy = wy_[g];
       m.wz = wz_[g];
-      FixedPosition<P> p{x_[g], y_[g], z_[g], radius_[g]};
+      FixedPosition p{x_[g], y_[g], z_[g], radius_[g]};
       RoundingBits random(begin + g, s.step);
       kickSphere(s, it, p.radius, Vec3<Real>{fx_[g], fy_[g], fz_[g]}, Vec3<Real>{tx_[g], ty_[g], tz_[g]}, Real(2),
                  random, m);
       driftSphere(s, p, m);
-      const bool active = (mask_[g] & it.groupMask) != 0;
+      const bool active = (word_[g] & it.role) != 0;
       const std::uint32_t alarm = alarmOf(s, anchor_[g], coarsePart(p), m) & (active ? ~0u : 0u);
       alarm_[g] = alarm;
       alarms |= alarm;
@@ -102,8 +102,9 @@ class MotionChunk {
 
   void write(const StepView<P> &s, std::uint32_t i, std::uint32_t g) const
   {
-    storePosition(s.out, i, FixedPosition<P>{x_[g], y_[g], z_[g], radius_[g]});
     Motion<Real> &m = s.motionOut[i];
+    std::uint32_t word = word_[g];
+    storePosition(s.out, i, FixedPosition{x_[g], y_[g], z_[g], radius_[g]}, word);
     m.vx = vx_[g];
     m.vy = vy_[g];
     m.vz = vz_[g];
@@ -111,15 +112,15 @@ class MotionChunk {
     m.wx = wx_[g];
     m.wy = wy_[g];
     m.wz = wz_[g];
-    m.mask = mask_[g];
+    m.word = word;
   }
 
   static constexpr std::uint32_t stride = capacity + 8;   ///< arrays must not all start in the same set of the L1 cache
-  typename P::Fixed x_[stride], y_[stride], z_[stride];
+  std::uint64_t x_[stride], y_[stride], z_[stride];
   double radius_[stride];
   Real vx_[stride], vy_[stride], vz_[stride], mass_[stride], wx_[stride], wy_[stride], wz_[stride];
   Real fx_[stride], fy_[stride], fz_[stride], tx_[stride], ty_[stride], tz_[stride];
-  std::uint32_t mask_[stride], anchor_[stride], alarm_[stride];
+  std::uint32_t word_[stride], anchor_[stride], alarm_[stride];
 };
 
 }  // namespace gpudem

@@ -24,8 +24,9 @@ struct AddSums {
 /// m v_a v_b (xx yy zz xy xz yz), R^2 m omega^2, m g.x, 1.
 template <class P>
 struct KineticTerms {
-  PositionArrays position;
+  PositionArrays<P> position;
   const Motion<typename P::Real> *motion;
+  const std::uint32_t *mask;   ///< group bits
   const std::uint32_t *cell;
   CellGrid grid;
   Frame frame;
@@ -34,10 +35,10 @@ struct KineticTerms {
   GPUDEM_HD Sums<9> operator()(std::uint32_t i) const
   {
     Sums<9> r{};
+    if (!(mask[i] & groupMask)) return r;
     const Motion<typename P::Real> m = motion[i];
-    if (!(m.mask & groupMask)) return r;
     const double mass = m.mass, vx = m.vx, vy = m.vy, vz = m.vz, wx = m.wx, wy = m.wy, wz = m.wz;
-    const FixedPosition<P> p = loadPosition<P>(position, i);
+    const FixedPosition p = loadPosition(position, i, m.word);
     r.value[0] = mass * vx * vx;
     r.value[1] = mass * vy * vy;
     r.value[2] = mass * vz * vz;

@@ -14,8 +14,8 @@ struct GatheredPair {
   Vec3<Real> branch;             ///< from the partner to the grain (distance)
   Real room2;                    ///< (R_i + R_j)^2 - distance^2, exact before rounding (distance^2)
   Real reach;                    ///< R_i + R_j (distance)
-  Real radiusProduct;            ///< R_i R_j (distance^2)
   Real massProduct, massSum;     ///< their quotient is the effective mass
+  Real radius, radius2;          ///< R_i, R_j (distance)
   Vec3<Real> relativeVelocity;   ///< v_i - v_j
   Vec3<Real> surfaceSpin;        ///< R_i omega_i + R_j omega_j
 };
@@ -31,15 +31,15 @@ GPUDEM_HD bool mayTouch(const CoarsePosition &c, const CoarsePosition &o, float 
   return dx * dx + dy * dy + dz * dz < reach * reach;
 }
 
-/// \param motionJ of the partner; a reference into memory is read only if the grains touch
 /// \return false if the grains do not touch, or overlap by less than the coordinates resolve (grains placed exactly
 /// side by side, as on a lattice); the same from both sides
 template <class P>
-GPUDEM_HD bool gatherPair(const StepView<P> &s, const FixedPosition<P> &p, const Motion<typename P::Real> &m,
-                          const FixedPosition<P> &q, const Motion<typename P::Real> &motionJ,
-                          GatheredPair<typename P::Real> &g)
+GPUDEM_HD bool gatherPair(const StepView<P> &s, const FixedPosition &p, const Motion<typename P::Real> &m,
+                          std::uint32_t j, GatheredPair<typename P::Real> &g)
 {
   using Real = typename P::Real;
+  const Motion<Real> o = s.motionIn[j];
+  const FixedPosition q = loadPosition(s.in, j, o.word);
   const Vec3<double> branch = separation(p, q, s.frame);
   const double reach = p.radius + q.radius;
   const double room2 = reach * reach - dot(branch, branch);
@@ -47,16 +47,16 @@ GPUDEM_HD bool gatherPair(const StepView<P> &s, const FixedPosition<P> &p, const
 #ifdef __CUDA_ARCH__
   if (!touches) return false;   // on the CPU a branch costs more than what it saves
 #endif
-  const Motion<Real> o = motionJ;
   const Real ri = static_cast<Real>(p.radius), rj = static_cast<Real>(q.radius);
   g.branch = branch.template as<Real>();
   g.room2 = static_cast<Real>(room2);
   g.reach = static_cast<Real>(reach);
-  g.radiusProduct = ri * rj;
+  g.radius = ri;
+  g.radius2 = rj;
   g.massProduct = m.mass * o.mass;
   g.massSum = m.mass + o.mass;
-  if ((m.mask | o.mask) & s.frozenMask) {   // a frozen grain counts as infinitely heavy
-    g.massProduct = o.mask & s.frozenMask ? m.mass : o.mass;
+  if ((m.word | o.word) & s.frozenRole) {   // a frozen grain counts as infinitely heavy
+    g.massProduct = o.word & s.frozenRole ? m.mass : o.mass;
     g.massSum = Real(1);
   }
   g.relativeVelocity = {m.vx - o.vx, m.vy - o.vy, m.vz - o.vz};
@@ -74,7 +74,7 @@ GPUDEM_HD Contact<Real> toContact(const GatheredPair<Real> &g)
   c.inverseDistance = inverseSquareRoot(distance2);
   c.distance = distance2 * c.inverseDistance;
   c.overlap = divide(g.room2, g.reach + c.distance);
-  c.effectiveRadius = normal == NormalModel::Hertz ? divide(g.radiusProduct, g.reach) : Real(0);
+  c.effectiveRadius = normal == NormalModel::Hertz ? divide(g.radius * g.radius2, g.reach) : Real(0);
   c.effectiveMass = divide(g.massProduct, g.massSum);
   c.relativeVelocity = g.relativeVelocity;
   c.surfaceSpin = g.surfaceSpin;

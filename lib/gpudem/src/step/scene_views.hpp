@@ -3,6 +3,7 @@
 /// \file From the scene and a step number to the tables a launch carries. Host code.
 #pragma once
 
+#include "step/roles.hpp"
 #include "step/step_view.hpp"
 #include "gpudem/engine.h"
 
@@ -14,7 +15,7 @@ inline Vec3<double> toVec3(const Array3 &a) { return {a[0], a[1], a[2]}; }
 
 /// Wall at \p step: LAMMPS' wiggle is coord + A - A cos(w t), shear is a constant surface velocity.
 template <class Real>
-WallView<Real> wallAt(const WallSpec &spec, std::int64_t step, double dt, Vec3<Real> *spring, Real *contacts)
+WallView<Real> wallAt(const WallSpec &spec, const Roles &roles, std::int64_t step, double dt, Vec3<Real> *spring, Real *contacts)
 {
   WallView<Real> v{};
   v.law = coefficients<Real>(spec.law);
@@ -26,7 +27,7 @@ WallView<Real> wallAt(const WallSpec &spec, std::int64_t step, double dt, Vec3<R
   v.hi = spec.hi;
   v.radius = spec.radius;
   v.velocity = {0.0, 0.0, 0.0};
-  v.groupMask = spec.groupMask;
+  v.role = roles.of(spec.groupMask);
   v.spring = spring;
   v.contacts = contacts;
   if (spec.wiggle) {
@@ -50,11 +51,11 @@ inline int componentBits(const std::array<bool, 3> &set)
 }
 
 /// Integrator whose coming positions belong to \p coming.
-inline IntegratorView integratorAt(const IntegratorSpec &spec, std::int64_t coming, double dt, double halfKick)
+inline IntegratorView integratorAt(const IntegratorSpec &spec, const Roles &roles, std::int64_t coming, double dt, double halfKick)
 {
   IntegratorView v{};
   v.kind = spec.kind;
-  v.groupMask = spec.groupMask;
+  v.role = roles.of(spec.groupMask);
   v.halfKickPerInertia = halfKick / spec.inertia;
   v.prescribed = componentBits(spec.prescribed);
   v.point = toVec3(spec.point);

@@ -51,7 +51,7 @@ struct WallView {
   double lo, hi, radius;          ///< current positions (distance)
   Vec3<double> velocity;          ///< of the surface (distance/time)
   double tangentialSpeed;         ///< of a turning cylinder (distance/time)
-  std::uint32_t groupMask;
+  std::uint32_t role;             ///< bits of Motion::word
   Vec3<Real> *spring;             ///< [n], null without history
   Real *contacts;                 ///< [8][n], null unless recorded
 };
@@ -59,7 +59,7 @@ struct WallView {
 template <class Real>
 struct TermView {
   ForceTermKind kind;
-  std::uint32_t groupMask;
+  std::uint32_t role;             ///< bits of Motion::word
   Vec3<Real> value;
   int prescribed;                 ///< bits 0..2: components set
   int wall;
@@ -70,7 +70,7 @@ struct TermView {
 /// One integrator at the step being finished and the one being begun.
 struct IntegratorView {
   IntegratorKind kind;
-  std::uint32_t groupMask;
+  std::uint32_t role;             ///< bits of Motion::word
   double halfKickPerInertia;      ///< dt/2 over the inertia factor
   int prescribed;                 ///< bits 0..2
   Vec3<double> displacement;      ///< Prescribed: from the origin at the coming step (distance)
@@ -88,7 +88,7 @@ struct StepView {
   std::uint32_t step;             ///< of the force (low bits): seed of unbiased rounding
   Status *status;
 
-  PositionArrays in, out;
+  PositionArrays<P> in, out;
   const Motion<Real> *motionIn;
   Motion<Real> *motionOut;
 
@@ -96,13 +96,13 @@ struct StepView {
   const std::uint32_t *anchor;    ///< [n] quantised position at the last rebuild and the near-wall bit
   AnchorRule anchorRule;
   Frame frame;
-  Vec3<Real> perUnit;             ///< fixed-point units per distance
+  Vec3<Real> perUnit;             ///< stored fixed-point units per distance
   float reachSlack;               ///< added to a sum of radii so that the coarse test misses no contact
 
   double touchMargin;             ///< twice the resolution of a distance: less overlap is no contact (distance)
 
   LawCoefficients<Real> law;
-  std::uint32_t frozenMask;
+  std::uint32_t frozenRole;       ///< bits of Motion::word
   Real dt;
   double halfKick;
   bool advanceSprings;

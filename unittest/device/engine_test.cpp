@@ -110,9 +110,9 @@ TEST_P(EngineTest, SetupForceAgreesWithTheOracle)
 {
   for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
     Box box;
-    box.hi = {9.0, 5.0, 5.5};
+    box.hi = {9.0, 10.0, 9.5};
     box.periodic = {true, true, true};
-    const Grains start = randomCloud(400, box, 0.1, 0.5, seed);
+    const Grains start = randomCloud(1400, box, 0.1, 0.5, seed);   // several chunks of the CPU
     Case c{"", NormalModel::Hooke, TangentialModel::Viscous, box.periodic, 3};
     SceneSpec scene = makeScene(c, box, 0.5);
     scene.exclusions.types.emplace_back(2, 2);
@@ -165,9 +165,9 @@ TEST_P(EngineTest, PairForcesAreOppositeToTheLastBit)
 TEST_P(EngineTest, TwoRunsAreBitwiseEqualWhateverTheThreadsAndBatches)
 {
   Box box;
-  box.hi = {8.0, 8.0, 8.0};
+  box.hi = {14.0, 14.0, 14.0};
   box.periodic = {true, true, false};
-  const Grains start = randomCloud(500, box, 0.35, 0.5, 4);
+  const Grains start = randomCloud(3100, box, 0.35, 0.5, 4);   // enough for three threads
   Case c{"", NormalModel::Hooke, TangentialModel::Spring, box.periodic, 3};
   const SceneSpec scene = makeScene(c, box, 0.5);
   std::vector<Grains> results;
@@ -201,9 +201,9 @@ Springs springsOf(Engine &engine, const Grains &g)
 TEST_P(EngineTest, SpringsSurviveRebuildsAndUploadsExactly)
 {
   Box box;
-  box.hi = {7.0, 7.0, 7.0};
+  box.hi = {10.0, 10.0, 10.0};
   box.periodic = {true, false, true};
-  const Grains start = randomCloud(380, box, 0.3, 0.5, 6);
+  const Grains start = randomCloud(1200, box, 0.3, 0.5, 6);
   Case c{"", NormalModel::Hertz, TangentialModel::Spring, box.periodic, 3};
   const SceneSpec scene = makeScene(c, box, 0.5);
   const std::unique_ptr<Engine> engine = make();
@@ -234,6 +234,39 @@ TEST_P(EngineTest, SpringsSurviveRebuildsAndUploadsExactly)
   second->upload(g.view(), box, &h);
   second->rebuild(box);
   EXPECT_EQ(springsOf(*second, g), before);
+}
+
+/// More groups than the word of a grain has room for beside the lower bits of its position, and back to few.
+TEST_P(EngineTest, ManyGroupsActOnTheirOwnGrains)
+{
+  Box box;
+  box.hi = {5.0, 5.0, 5.0};
+  box.periodic = {true, true, true};
+  Grains start = randomCloud(200, box, 0.3, 0.5, 8);
+  std::mt19937 random(5);
+  for (int &mask : start.mask) mask = 1 | static_cast<int>(random() & 0xffffu) << 1;
+  Case c{"", NormalModel::Hooke, TangentialModel::Spring, box.periodic, 3};
+  const std::unique_ptr<Engine> engine = make();
+  for (const int groups : {14, 3}) {
+    SCOPED_TRACE(groups);
+    SceneSpec scene = makeScene(c, box, 0.5);
+    scene.frozenMask = 0;
+    for (int k = 0; k < groups; ++k) {
+      ForceTerm pull;
+      pull.groupMask = 2u << k;
+      pull.value = {0.5 * k, 3.0 - k, 1.0};
+      scene.terms.push_back(pull);
+    }
+    Oracle oracle(scene, box, start);
+    oracle.evaluate(0, false);
+    Driver driver(*engine, scene, box, start);
+    for (int k = 1; k <= 60; ++k) oracle.step(k);
+    driver.run(60);
+    const Grains g = driver.read();
+    const double eps = fine() ? 1e-11 : groups > 8 ? 3e-5 : 1e-5;
+    EXPECT_LT(largestDifference(g.v, oracle.grains.v), eps * largest(g.v));
+    EXPECT_GT(oracle.contacts, 10u);
+  }
 }
 
 /// The same cloud 10^4 diameters away from the origin of its box behaves the same.

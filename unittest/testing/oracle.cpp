@@ -167,7 +167,7 @@ void Oracle::evaluate(std::int64_t step, bool advance)
       if (term.kind == ForceTermKind::Wall) {
         const WallSpec &spec = scene_.walls[term.wall];
         const WallView<double> wall =
-            wallAt<double>(spec, step, scene_.timestep,
+            wallAt<double>(spec, Roles{}, step, scene_.timestep,
                            spec.law.hasHistory() ? wallSprings_[term.wall].data() : nullptr, nullptr);
         Motion<double> m{};
         m.vx = g.v[3 * i], m.vy = g.v[3 * i + 1], m.vz = g.v[3 * i + 2];

@@ -183,9 +183,19 @@ GPUDEM_HD CoarsePosition storePosition(const PositionArrays<Double> &a, std::uin
 /// Exact vector from b to a (distance); exact as long as they are closer than half a window.
 GPUDEM_HD Vec3<double> separation(const FixedPosition &a, const FixedPosition &b, const Frame &frame)
 {
-  return {static_cast<double>(static_cast<std::int64_t>(a.x - b.x)) * frame.unit64.x,
-          static_cast<double>(static_cast<std::int64_t>(a.y - b.y)) * frame.unit64.y,
-          static_cast<double>(static_cast<std::int64_t>(a.z - b.z)) * frame.unit64.z};
+  return {toDouble(static_cast<std::int64_t>(a.x - b.x)) * frame.unit64.x,
+          toDouble(static_cast<std::int64_t>(a.y - b.y)) * frame.unit64.y,
+          toDouble(static_cast<std::int64_t>(a.z - b.z)) * frame.unit64.z};
+}
+
+/// Could the grains touch? Coarse, and wrong to the safe side only.
+GPUDEM_HD bool mayTouch(const CoarsePosition &c, const CoarsePosition &o, const Vec3<float> &unit, float reachSlack)
+{
+  const float dx = static_cast<float>(static_cast<std::int32_t>(c.x - o.x)) * unit.x;
+  const float dy = static_cast<float>(static_cast<std::int32_t>(c.y - o.y)) * unit.y;
+  const float dz = static_cast<float>(static_cast<std::int32_t>(c.z - o.z)) * unit.z;
+  const float reach = (c.radius + o.radius) * 1.000001f + reachSlack;
+  return dx * dx + dy * dy + dz * dz < reach * reach;
 }
 
 /// Absolute coordinate of a grain known to be within half a window of \p near (distance).

@@ -47,6 +47,38 @@ GPUDEM_HD std::int64_t roundToInt(double x)
 #endif
 }
 
+/// \p x as double, rounded to nearest. A GPU converts 64-bit integers slowly: here the halves become doubles by
+/// their bit patterns (2^52 plus the integer), and one multiply-add joins and rounds them.
+GPUDEM_HD double toDouble(std::int64_t x)
+{
+#ifdef __CUDA_ARCH__
+  const double upper = __hiloint2double(0x43300000, static_cast<int>(x >> 32) ^ static_cast<int>(0x80000000)) -
+      4503601774854144.0;
+  const double lower = __hiloint2double(0x43300000, static_cast<int>(x)) - 4503599627370496.0;
+  return __fma_rn(upper, 4294967296.0, lower);
+#else
+  return static_cast<double>(x);
+#endif
+}
+GPUDEM_HD double toDouble(std::int32_t x)
+{
+#ifdef __CUDA_ARCH__
+  return __hiloint2double(0x43300000, x ^ static_cast<int>(0x80000000)) - 4503601774854144.0;   // 2^52 + 2^31
+#else
+  return static_cast<double>(x);
+#endif
+}
+
+/// Byte \p k of \p word plus a constant that depends on the backend alone: differences are exact.
+GPUDEM_HD float biasedByte(std::uint32_t word, int k)
+{
+#ifdef __CUDA_ARCH__
+  return __uint_as_float(__byte_perm(word, 0x4b000000u, 0x7440u | static_cast<std::uint32_t>(k)));   // 2^23 + byte
+#else
+  return static_cast<float>(static_cast<std::int32_t>(word >> (8 * k) & 0xffu));
+#endif
+}
+
 template <class Real>
 GPUDEM_HD Real absolute(Real x)
 {

@@ -78,6 +78,8 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   v.anchor = anchor_.data();
   v.anchorRule = anchorRule_;
   v.frame = frame_;
+  v.twiceFineUnit = (frame_.unit32 * (roles_.fineMask() ? 2.0 / 256.0 : 0.0)).template as<float>();
+  v.coarseUnit = frame_.unit32.template as<float>();
   const double units = std::ldexp(1.0, P::fine ? 64 : 40);
   v.perUnit = (frame_.inverse * units).template as<Real>();
   v.reachSlack =

@@ -66,11 +66,9 @@ struct BuildPairs {
       pairs.owner.push_back(static_cast<std::uint16_t>(i - begin));
       pairs.mirror.push_back(static_cast<std::uint16_t>(inside ? j - begin : grainsPerChunk));
     };
+    const Vec3<float> unit = v.frame.unit32.template as<float>();
     forEachPair(v, begin, end, candidates, [&](std::uint32_t i, std::uint32_t j) {
-      const FixedPosition p = loadPosition(v.position, i), q = loadPosition(v.position, j);
-      const Vec3<double> d = separation(p, q, v.frame);
-      const double reach = p.radius + q.radius;
-      if (dot(d, d) < reach * reach) {
+      if (mayTouch(v.position.coarse[i], v.position.coarse[j], unit, v.reachSlack)) {
         list(i, j);
         if (history) carry(i, v.tag[j], pairs);
       } else {

@@ -48,7 +48,8 @@ struct BuildView {
   ExclusionView exclude;
 };
 
-/// Call visit(j) for every grain j != i in the cells around i that lies within the coarse reach.
+/// Call visit(j, touches) for every grain j != i in the cells around i that lies within the coarse reach; \p touches
+/// is wrong to the safe side only.
 template <class P, class Visit>
 GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
 {
@@ -64,10 +65,11 @@ GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&v
       const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - q.x)) * ux;
       const float dy = static_cast<float>(static_cast<std::int32_t>(p.y - q.y)) * uy;
       const float dz = static_cast<float>(static_cast<std::int32_t>(p.z - q.z)) * uz;
-      const float reach = (p.radius + q.radius) * 1.000001f + v.skin + v.reachSlack;
-      if (dx * dx + dy * dy + dz * dz >= reach * reach || j == i) continue;
+      const float contact = (p.radius + q.radius) * 1.000001f + v.reachSlack, reach = contact + v.skin;
+      const float distance2 = dx * dx + dy * dy + dz * dz;
+      if (distance2 >= reach * reach || j == i) continue;
       if (anyExclusion && v.exclude.excluded(mask, v.mask[j], v.type[i], v.type[j])) continue;
-      visit(j);
+      visit(j, distance2 < contact * contact);
     }
   });
 }
@@ -81,7 +83,7 @@ struct CountNeighbors {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     std::uint32_t n = 0;
-    forEachNeighbor(v, i, [&](std::uint32_t) { ++n; });
+    forEachNeighbor(v, i, [&](std::uint32_t, bool) { ++n; });
     out[i] = n;
   }
 };
@@ -120,13 +122,6 @@ struct FillRows {
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
-    fillRow(i, [&](auto &&visit) { forEachNeighbor(v, i, visit); });
-  }
-
-  /// \param neighbors calls its argument with each neighbour of grain i, in the order of the cells
-  template <class Neighbors>
-  GPUDEM_HD void fillRow(std::uint32_t i, Neighbors &&neighbors) const
-  {
     const std::uint32_t slice = i / W, lane = i % W;
     const std::uint32_t base = start[slice] + lane;
     std::uint32_t *word = history ? touch + maskStart[slice] + lane : nullptr;
@@ -137,13 +132,9 @@ struct FillRows {
       from = store.offset[oldIndex[i]];
       to = store.offset[oldIndex[i] + 1];
     }
-    const FixedPosition p = loadPosition(v.position, i);
     std::uint32_t front = 0, back = length[i];
-    neighbors([&](std::uint32_t j) {
-      const FixedPosition q = loadPosition(v.position, j);
-      const Vec3<double> d = separation(p, q, v.frame);
-      const double reach = p.radius + q.radius;
-      if (dot(d, d) < reach * reach) {
+    forEachNeighbor(v, i, [&](std::uint32_t j, bool touches) {
+      if (touches) {
         const std::uint32_t k = front++;
         neighbor[base + k * W] = j;
         if (history) carry(k, base, word, v.tag[j], from, to);

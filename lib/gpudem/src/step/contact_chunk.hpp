@@ -94,8 +94,8 @@ struct ContactChunk {
     std::uint8_t *touching = pairs.touching.data();
     const Real *spring = pairs.spring.data();
     const auto total = static_cast<std::uint32_t>(pairs.size());
-    const float ux = static_cast<float>(s.frame.unit32.x), uy = static_cast<float>(s.frame.unit32.y),
-                uz = static_cast<float>(s.frame.unit32.z);
+    const Vec3<float> unit = s.coarseUnit;
+    const float slack = s.reachSlack;
     std::uint32_t candidate[capacity];
     std::uint32_t candidates = 0;
     for (std::uint32_t k = first; k < last; ++k) {
@@ -104,7 +104,7 @@ struct ContactChunk {
       if (P::fine) __builtin_prefetch(s.in.fine + next);
       __builtin_prefetch(s.motionIn + next);
       if (history) __builtin_prefetch(spring + 3 * static_cast<std::size_t>(later));
-      const bool near = mayTouch(s.in.coarse[begin + owner[k]], s.in.coarse[partner[k]], ux, uy, uz, s.reachSlack);
+      const bool near = mayTouch(s.in.coarse[begin + owner[k]], s.in.coarse[partner[k]], unit, slack);
       candidate[candidates] = k;
       candidates += near ? 1u : 0u;
       if (history) touching[k] &= near ? 1u : 0u;
@@ -112,9 +112,8 @@ struct ContactChunk {
     b.size = 0;
     for (std::uint32_t n = 0; n < candidates; ++n) {
       const std::uint32_t k = candidate[n], i = begin + owner[k], j = partner[k];
-      const Motion<Real> &m = s.motionIn[i];
       GatheredPair<Real> g;
-      const bool touches = gatherPair(s, loadPosition(s.in, i, m.word), m, j, g);
+      const bool touches = gatherPair(s, loadSelf(s, i), j, g);
       put(b, k, g, pairs);
       if (history) pairs.touching[k] = touches ? 1 : 0;
       b.size += touches ? 1 : 0;

@@ -45,12 +45,12 @@ GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPositio
 /// Bits of entries first .. first + 31 of a row whose grains may touch.
 template <int W, class P>
 GPUDEM_HD std::uint32_t touchCandidates(const StepView<P> &s, std::uint32_t base, std::uint32_t length,
-                                        std::uint32_t first, const CoarsePosition &c, float ux, float uy, float uz)
+                                        std::uint32_t first, const CoarsePosition &c)
 {
   const std::uint32_t last = length - first < 32u ? length - first : 32u;
   const auto test = [&](std::uint32_t k) {
     const CoarsePosition o = s.in.coarse[s.rows.neighbor[base + (first + k) * W]];
-    return mayTouch(c, o, ux, uy, uz, s.reachSlack) ? 1u : 0u;
+    return mayTouch(c, o, s.coarseUnit, s.reachSlack) ? 1u : 0u;
   };
   std::uint32_t bits = 0;
   constexpr std::uint32_t batch = 4;
@@ -77,8 +77,7 @@ struct ContactStep {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     if (s.sequence > s.status->lastAllowed) return;
-    Motion<Real> m = s.motionIn[i];
-    FixedPosition p = loadPosition(s.in, i, m.word);
+    const Self<P> self = loadSelf(s, i);
     Vec3<Real> force{Real(0), Real(0), Real(0)}, torque{Real(0), Real(0), Real(0)};
     Real virial[6] = {Real(0), Real(0), Real(0), Real(0), Real(0), Real(0)};
 
@@ -86,20 +85,20 @@ struct ContactStep {
     const std::uint32_t base = s.rows.start[slice] + lane;
     const std::uint32_t length = s.rows.count[i];
     const CoarsePosition c = s.in.coarse[i];
-    const float ux = static_cast<float>(s.frame.unit32.x), uy = static_cast<float>(s.frame.unit32.y),
-                uz = static_cast<float>(s.frame.unit32.z);
     for (std::uint32_t first = 0; first < length; first += 32) {
-      const std::uint32_t bits = touchCandidates<W>(s, base, length, first, c, ux, uy, uz);
-      visit(base, slice, lane, first, bits, p, m, force, torque, virial);
+      const std::uint32_t bits = touchCandidates<W>(s, base, length, first, c);
+      visit(base, slice, lane, first, bits, self, force, torque, virial);
     }
+    Motion<Real> m = self.motion;
+    FixedPosition p = loadPosition(s.in, i, m.word);
     completeGrain<mode, walls>(s, i, p, m, force, torque, virial);
   }
 
  private:
   /// The contacts among entries first .. first+31 whose bit is set.
   GPUDEM_HD void visit(std::uint32_t base, std::uint32_t slice, std::uint32_t lane, std::uint32_t first,
-                       std::uint32_t bits, const FixedPosition &p, const Motion<Real> &m, Vec3<Real> &force,
-                       Vec3<Real> &torque, Real *virial) const
+                       std::uint32_t bits, const Self<P> &self, Vec3<Real> &force, Vec3<Real> &torque,
+                       Real *virial) const
   {
     constexpr bool history = tangential == TangentialModel::Spring;
     std::uint32_t old = 0, now = 0;
@@ -114,7 +113,7 @@ struct ContactStep {
       const std::uint32_t entry = base + (first + static_cast<std::uint32_t>(k)) * W;
       const std::uint32_t j = s.rows.neighbor[entry];
       GatheredPair<Real> g;
-      if (!gatherPair(s, p, m, j, g)) continue;
+      if (!gatherPair(s, self, j, g)) continue;
       Vec3<Real> spring{Real(0), Real(0), Real(0)};
       Real *slot = nullptr;
       if (history) {
@@ -130,7 +129,7 @@ struct ContactStep {
         slot[2] = spring.z;
       }
       force += f.force;
-      torque -= f.couple * static_cast<Real>(p.radius);
+      torque -= f.couple * g.radius;
       if (mode == StepMode::Event && s.virial) addVirial(g.branch, f.force, virial);
     }
     if (history && now != old) *word = now;

@@ -20,37 +20,90 @@ struct GatheredPair {
   Vec3<Real> surfaceSpin;        ///< R_i omega_i + R_j omega_j
 };
 
-/// Could the grains touch? Coarse, and wrong to the safe side only.
-GPUDEM_HD bool mayTouch(const CoarsePosition &c, const CoarsePosition &o, float ux, float uy, float uz,
-                        float reachSlack)
+/// What a grain knows of itself while it visits its neighbours.
+template <class P>
+struct Self;
+template <>
+struct Self<Mixed> {
+  CoarsePosition coarse;
+  Motion<float> motion;
+};
+template <>
+struct Self<Double> {
+  FixedPosition position;
+  Motion<double> motion;
+};
+GPUDEM_HD Self<Mixed> loadSelf(const StepView<Mixed> &s, std::uint32_t i) { return {s.in.coarse[i], s.motionIn[i]}; }
+GPUDEM_HD Self<Double> loadSelf(const StepView<Double> &s, std::uint32_t i)
 {
-  const float dx = static_cast<float>(static_cast<std::int32_t>(c.x - o.x)) * ux;
-  const float dy = static_cast<float>(static_cast<std::int32_t>(c.y - o.y)) * uy;
-  const float dz = static_cast<float>(static_cast<std::int32_t>(c.z - o.z)) * uz;
-  const float reach = (c.radius + o.radius) * 1.000001f + reachSlack;
-  return dx * dx + dy * dy + dz * dz < reach * reach;
+  return {loadPosition(s.in, i), s.motionIn[i]};
+}
+
+/// Where two grains are to each other.
+template <class Real>
+struct Gap {
+  Vec3<Real> branch;        ///< from the partner to the grain (distance)
+  double room2;             ///< (R_i + R_j)^2 - distance^2 (distance^2)
+  Real reach;               ///< R_i + R_j (distance)
+  Real radius, radius2;     ///< R_i, R_j (distance)
+};
+
+/// Mixed: the coarse bits suffice for the direction. The square of the distance takes all bits, the lower ones as a
+/// correction of first order: with d the coarse difference and e the lower one, (d + e)^2 - d^2 = 2 d e to 2^-64.
+GPUDEM_HD Gap<float> gapTo(const StepView<Mixed> &s, const Self<Mixed> &self, std::uint32_t j, std::uint32_t word)
+{
+  const CoarsePosition &c = self.coarse;
+  const CoarsePosition o = s.in.coarse[j];
+  const std::int32_t dx = static_cast<std::int32_t>(c.x - o.x), dy = static_cast<std::int32_t>(c.y - o.y),
+                     dz = static_cast<std::int32_t>(c.z - o.z);
+  const Vec3<double> coarse{toDouble(dx) * s.frame.unit32.x, toDouble(dy) * s.frame.unit32.y,
+                            toDouble(dz) * s.frame.unit32.z};
+  const double reach = static_cast<double>(c.radius) + static_cast<double>(o.radius);
+  Gap<float> g;
+  g.branch = {static_cast<float>(dx) * s.coarseUnit.x, static_cast<float>(dy) * s.coarseUnit.y,
+              static_cast<float>(dz) * s.coarseUnit.z};
+  const std::uint32_t mine = self.motion.word;
+  const Vec3<float> lower{biasedByte(mine, 1) - biasedByte(word, 1), biasedByte(mine, 2) - biasedByte(word, 2),
+                          biasedByte(mine, 3) - biasedByte(word, 3)};
+  const float correction = g.branch.x * s.twiceFineUnit.x * lower.x + g.branch.y * s.twiceFineUnit.y * lower.y +
+      g.branch.z * s.twiceFineUnit.z * lower.z;
+  g.room2 = reach * reach - dot(coarse, coarse) - static_cast<double>(correction);
+  g.reach = c.radius + o.radius;
+  g.radius = c.radius;
+  g.radius2 = o.radius;
+  return g;
+}
+GPUDEM_HD Gap<double> gapTo(const StepView<Double> &s, const Self<Double> &self, std::uint32_t j, std::uint32_t)
+{
+  const FixedPosition &p = self.position;
+  const FixedPosition q = loadPosition(s.in, j);
+  Gap<double> g;
+  g.branch = separation(p, q, s.frame);
+  g.reach = p.radius + q.radius;
+  g.room2 = g.reach * g.reach - dot(g.branch, g.branch);
+  g.radius = p.radius;
+  g.radius2 = q.radius;
+  return g;
 }
 
 /// \return false if the grains do not touch, or overlap by less than the coordinates resolve (grains placed exactly
 /// side by side, as on a lattice); the same from both sides
 template <class P>
-GPUDEM_HD bool gatherPair(const StepView<P> &s, const FixedPosition &p, const Motion<typename P::Real> &m,
-                          std::uint32_t j, GatheredPair<typename P::Real> &g)
+GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32_t j,
+                          GatheredPair<typename P::Real> &g)
 {
   using Real = typename P::Real;
-  const Motion<Real> o = s.motionIn[j];
-  const FixedPosition q = loadPosition(s.in, j, o.word);
-  const Vec3<double> branch = separation(p, q, s.frame);
-  const double reach = p.radius + q.radius;
-  const double room2 = reach * reach - dot(branch, branch);
-  const bool touches = room2 > reach * s.touchMargin;
+  const Motion<Real> &m = self.motion;
+  const Gap<Real> gap = gapTo(s, self, j, P::fine ? 0u : s.motionIn[j].word);
+  const bool touches = gap.room2 > static_cast<double>(gap.reach) * s.touchMargin;
 #ifdef __CUDA_ARCH__
   if (!touches) return false;   // on the CPU a branch costs more than what it saves
 #endif
-  const Real ri = static_cast<Real>(p.radius), rj = static_cast<Real>(q.radius);
-  g.branch = branch.template as<Real>();
-  g.room2 = static_cast<Real>(room2);
-  g.reach = static_cast<Real>(reach);
+  const Motion<Real> o = s.motionIn[j];
+  const Real ri = gap.radius, rj = gap.radius2;
+  g.branch = gap.branch;
+  g.room2 = static_cast<Real>(gap.room2);
+  g.reach = gap.reach;
   g.radius = ri;
   g.radius2 = rj;
   g.massProduct = m.mass * o.mass;

@@ -96,6 +96,8 @@ struct StepView {
   const std::uint32_t *anchor;    ///< [n] quantised position at the last rebuild and the near-wall bit
   AnchorRule anchorRule;
   Frame frame;
+  Vec3<float> twiceFineUnit;      ///< 2 window/2^40, 0 if coordinates have no lower bits (mixed)
+  Vec3<float> coarseUnit;         ///< window/2^32
   Vec3<Real> perUnit;             ///< stored fixed-point units per distance
   float reachSlack;               ///< added to a sum of radii so that the coarse test misses no contact
 

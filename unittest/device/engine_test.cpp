@@ -269,6 +269,36 @@ TEST_P(EngineTest, ManyGroupsActOnTheirOwnGrains)
   }
 }
 
+/// A box that becomes 10^5 times longer takes larger cells and larger windows; the grains do not notice.
+TEST_P(EngineTest, BoxMayOutgrowItsWindows)
+{
+  Box box;
+  box.hi = {5.0, 5.0, 5.0};
+  const Grains start = randomCloud(100, box, 0.3, 0.5, 3);
+  Case c{"", NormalModel::Hooke, TangentialModel::Spring, {true, true, true}, 3};   // no walls
+  const SceneSpec scene = makeScene(c, box, 0.5);
+  const std::unique_ptr<Engine> engine = make();
+  Driver driver(*engine, scene, box, start);
+  driver.run(20);
+  const Springs springs = springsOf(*engine, start);
+  StepInputs in;
+  in.step = 20;
+  engine->evaluateForce(in, {});   // with the velocities at the step, as below
+  const Grains before = driver.read();
+  Box grown = box;
+  grown.hi = {5.0e5, 5.0e5, 5.0e5};
+  grown.lo = {-1.0e4, 0.0, 0.0};
+  engine->rebuild(grown);
+  engine->evaluateForce(in, {});
+  const Grains after = driver.read();
+  const double unit = fine() ? 1e-11 : 1e-6;   // window/2^53 and window/2^40 of windows of some 10^5
+  EXPECT_LT(largestDifference(after.x, before.x), unit);
+  EXPECT_EQ(after.v, before.v);
+  EXPECT_LT(largestDifference(after.f, before.f), unit * 2.0 * scene.pair.normalStiffness + 1e-5 * largest(before.f));
+  EXPECT_EQ(springsOf(*engine, start), springs);
+  ASSERT_GT(springs.size(), 5u);
+}
+
 /// The same cloud 10^4 diameters away from the origin of its box behaves the same.
 TEST_P(EngineTest, AccuracyDoesNotDependOnWhereTheGrainsAre)
 {

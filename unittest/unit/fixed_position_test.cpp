@@ -116,6 +116,20 @@ TEST(FixedPosition, RadiusKeepsAllItsBits)
   }
 }
 
+TEST(Rounding, NearestIntegerOfAnySize)
+{
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> mantissa(-1.0, 1.0), exponent(0.0, 62.9);
+  for (int k = 0; k < 20000; ++k) {
+    const double x = std::ldexp(mantissa(random), static_cast<int>(exponent(random)));
+    ASSERT_EQ(roundToInt(x), std::llrint(x)) << x;
+    const float f = static_cast<float>(std::ldexp(mantissa(random), static_cast<int>(exponent(random) * 0.8)));
+    ASSERT_EQ(roundToInt(f), std::llrint(static_cast<double>(f))) << f;
+  }
+  for (const double x : {0.0, -0.0, 0.5, -0.5, 1.5, 2147483647.5, -2147483648.5, 4294967295.5, -4294967296.5, 0x1p62})
+    EXPECT_EQ(roundToInt(x), std::llrint(x)) << x;
+}
+
 TEST(CellGrid, IndexAndCoordinatesAreInverse)
 {
   Box box;

@@ -30,20 +30,37 @@ GPUDEM_HD double symmetricSum(double a, double b, double c, double d)
 #endif
 }
 
+/// Nearest integer of |x| < 2^51, halves to even: adding 2^52 + 2^51 leaves the integer in the lower bits. Unlike
+/// the conversion instruction this fits the SIMD lanes of every processor.
+GPUDEM_HD std::int64_t roundSmall(double x)
+{
+  constexpr double shift = 6755399441055744.0;
+  const double sum = x + shift;
+  std::int64_t bits, zero;
+  memcpy(&bits, &sum, 8);
+  memcpy(&zero, &shift, 8);
+  return bits - zero;
+}
+
+/// Nearest integer of |x| < 2^51.
 GPUDEM_HD std::int64_t roundToInt(float x)
 {
 #ifdef __CUDA_ARCH__
   return __float2ll_rn(x);
 #else
-  return static_cast<std::int64_t>(x + std::copysign(0.5f, x));   // halves away from zero; fits SIMD lanes
+  return roundSmall(static_cast<double>(x));
 #endif
 }
+/// Nearest integer of |x| < 2^63.
 GPUDEM_HD std::int64_t roundToInt(double x)
 {
 #ifdef __CUDA_ARCH__
   return __double2ll_rn(x);
 #else
-  return static_cast<std::int64_t>(x + std::copysign(0.5, x));
+  const std::int64_t upper = roundSmall(x * 0x1p-32);
+  constexpr double shift = 6755399441055744.0;
+  const double upperValue = (x * 0x1p-32 + shift) - shift;
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(upper) << 32) + roundSmall(x - upperValue * 0x1p32);
 #endif
 }
 

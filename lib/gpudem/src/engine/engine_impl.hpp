@@ -87,6 +87,7 @@ class EngineImpl final : public Engine {
   void collectObservables(const Recording &record);
 
   void extractSprings();
+  void reframe(const Frame &frame);
   void rebuildIn(const CellGrid &fresh);
   void buildTable();
   void setAnchors();

@@ -64,14 +64,22 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
     return;
   }
   const CellGrid fresh = chooseGrid(box, reachOf(scene_), count_);
-  for (int d = 0; d < 3; ++d)
-    if (fresh.size[d] * 2.0 > frame_.window[d])
-      throw Error(fmt::format("the box grew so much in direction {} that the cells ({:g}) no longer fit the "
-                              "coordinate window ({:g})", "xyz"[d], fresh.size[d], frame_.window[d]));
+  bool fits = true;
+  for (int d = 0; d < 3; ++d) fits = fits && fresh.size[d] * 2.0 <= frame_.window[d];
+  if (!fits) reframe(chooseFrame(box, fresh));
   explainMemory([&] { rebuildIn(fresh); });
   storeFresh_ = false;
   rowsValid_ = true;
   resetStatus();
+}
+
+/// Coordinates in other windows: a box that grew a lot has larger cells, and a window must span several.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::reframe(const Frame &frame)
+{
+  exec_.forEach(count_, ReframeGrains<P>{positions(), cell_.data(), grid_, frame_, frame});
+  frame_ = frame;
+  anchorRule_ = chooseAnchors(frame_, scene_.skin);
 }
 
 /// The rebuild proper, into cells that are known to be good.

@@ -50,6 +50,27 @@ struct PlaceGrains {
   }
 };
 
+/// Positions from one choice of windows to another.
+template <class P>
+struct ReframeGrains {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  PositionArrays<P> position;
+  const std::uint32_t *cell;
+  CellGrid grid;
+  Frame from, to;
+
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    FixedPosition p = loadPosition(position, i);
+    const Vec3<double> x = absolutePosition(p, cell[i], grid, from);
+    p.x = toFraction(x.x, to.origin.x, to.inverse.x);
+    p.y = toFraction(x.y, to.origin.y, to.inverse.y);
+    p.z = toFraction(x.z, to.origin.z, to.inverse.z);
+    storePosition(position, i, p, position.motion[i].word);
+  }
+};
+
 struct ExtentSum {
   double lo[3], hi[3];
   long long outside;

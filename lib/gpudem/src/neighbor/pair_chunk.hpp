@@ -18,6 +18,7 @@ constexpr std::uint32_t grainsPerChunk = 512;
 /// The pairs of one chunk, one array per quantity; pairs that touched when the list was built come first.
 template <class Real>
 struct PairChunk {
+  std::uint32_t front = 0;              ///< pairs that touched when the list was built
   std::vector<std::uint32_t> partner;   ///< device index
   std::vector<std::uint16_t> owner;     ///< grain within the chunk
   std::vector<std::uint16_t> mirror;    ///< the partner within the chunk, grainsPerChunk if it lies outside
@@ -75,6 +76,7 @@ struct BuildPairs {
         apart.push_back({i, j});
       }
     });
+    pairs.front = static_cast<std::uint32_t>(pairs.size());
     for (const Apart &a : apart) list(a.i, a.j);
     if (history) {
       pairs.touching.resize(pairs.size(), 0);

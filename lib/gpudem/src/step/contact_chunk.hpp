@@ -86,25 +86,24 @@ struct ContactChunk {
     int padded() const { return (size + 15) / 16 * 16; }
   };
 
-  /// The pairs first .. last - 1 that touch.
+  /// The pairs first .. last - 1 that touch. Those that touched when the list was built are not tested first.
   void gather(std::uint32_t begin, std::uint32_t first, std::uint32_t last, PairChunk<Real> &pairs, Batch &b) const
   {
     const std::uint32_t *partner = pairs.partner.data();
     const std::uint16_t *owner = pairs.owner.data();
     std::uint8_t *touching = pairs.touching.data();
-    const Real *spring = pairs.spring.data();
-    const auto total = static_cast<std::uint32_t>(pairs.size());
+    std::uint32_t candidate[capacity];
+    std::uint32_t candidates = 0, k = first;
+    for (; k < last && k < pairs.front; ++k) {
+      prefetch(pairs, k + ahead);
+      candidate[candidates++] = k;
+    }
+    const CoarsePosition *coarse = s.in.coarse;
     const Vec3<float> unit = s.coarseUnit;
     const float slack = s.reachSlack;
-    std::uint32_t candidate[capacity];
-    std::uint32_t candidates = 0;
-    for (std::uint32_t k = first; k < last; ++k) {
-      const std::uint32_t later = k + ahead < total ? k + ahead : k, next = partner[later];
-      __builtin_prefetch(s.in.coarse + next);
-      if (P::fine) __builtin_prefetch(s.in.fine + next);
-      __builtin_prefetch(s.motionIn + next);
-      if (history) __builtin_prefetch(spring + 3 * static_cast<std::size_t>(later));
-      const bool near = mayTouch(s.in.coarse[begin + owner[k]], s.in.coarse[partner[k]], unit, slack);
+    for (; k < last; ++k) {
+      prefetch(pairs, k + ahead);
+      const bool near = mayTouch(coarse[begin + owner[k]], coarse[partner[k]], unit, slack);
       candidate[candidates] = k;
       candidates += near ? 1u : 0u;
       if (history) touching[k] &= near ? 1u : 0u;
@@ -118,6 +117,18 @@ struct ContactChunk {
       if (history) pairs.touching[k] = touches ? 1 : 0;
       b.size += touches ? 1 : 0;
     }
+  }
+
+  /// Ask for what pair k will need, if there is such a pair.
+  void prefetch(const PairChunk<Real> &pairs, std::uint32_t k) const
+  {
+    if (k >= pairs.size()) return;
+    const std::uint32_t j = pairs.partner[k];
+    __builtin_prefetch(s.in.coarse + j);
+    if (k >= pairs.front) return;
+    if (P::fine) __builtin_prefetch(s.in.fine + j);
+    __builtin_prefetch(s.motionIn + j);
+    if (history) __builtin_prefetch(&pairs.spring[3 * static_cast<std::size_t>(k)]);
   }
 
   static void put(Batch &b, std::uint32_t k, const GatheredPair<Real> &g, const PairChunk<Real> &pairs)

@@ -30,7 +30,8 @@ class CpuExec {
   static void *allocate(std::size_t bytes, const char *name)
   {
     void *p = std::aligned_alloc(64, (bytes + 63) / 64 * 64);
-    if (!p) throw OutOfMemory("out of memory: array '" + std::string(name) + "' needs " + std::to_string(bytes) + " bytes");
+    if (!p)
+      throw OutOfMemory("out of memory: array '" + std::string(name) + "' needs " + std::to_string(bytes) + " bytes");
     return p;
   }
   static void release(void *p) noexcept { std::free(p); }

@@ -140,8 +140,7 @@ void EngineImpl<Exec, P>::buildTable()
   v.grid = grid_;
   v.frame = frame_;
   v.skin = static_cast<float>(scene_.skin);
-  v.reachSlack =
-      static_cast<float>(4.0 * std::max(frame_.unit32.x, std::max(frame_.unit32.y, frame_.unit32.z)));
+  v.reachSlack = reachSlackOf(frame_);
   v.exclude.groups = static_cast<int>(scene_.exclusions.groups.size());
   for (int g = 0; g < v.exclude.groups; ++g) {
     v.exclude.groupA[g] = scene_.exclusions.groups[g].first;

@@ -82,8 +82,7 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   v.coarseUnit = frame_.unit32.template as<float>();
   const double units = std::ldexp(1.0, P::fine ? 64 : 40);
   v.perUnit = (frame_.inverse * units).template as<Real>();
-  v.reachSlack =
-      static_cast<float>(4.0 * std::max(frame_.unit32.x, std::max(frame_.unit32.y, frame_.unit32.z)));
+  v.reachSlack = reachSlackOf(frame_);
   const double widest = std::max(frame_.window.x, std::max(frame_.window.y, frame_.window.z));
   // two coordinates rounded to the unit (mixed), or to the 53 bits of the host's doubles
   v.touchMargin = 2.0 * std::ldexp(widest, P::fine ? -50 : roles_.fineMask() ? -39 : -31);

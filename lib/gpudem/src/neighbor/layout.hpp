@@ -67,6 +67,12 @@ inline Frame chooseFrame(const Box &box, const CellGrid &grid)
   return f;
 }
 
+/// What a coarse test adds to a sum of radii so that it misses no contact: coordinates cut to 32 bits (distance).
+inline float reachSlackOf(const Frame &frame)
+{
+  return static_cast<float>(4.0 * std::max(frame.unit32.x, std::max(frame.unit32.y, frame.unit32.z)));
+}
+
 /// Anchors whose quantum is a 64th to a 128th of the skin.
 inline AnchorRule chooseAnchors(const Frame &frame, double skin)
 {

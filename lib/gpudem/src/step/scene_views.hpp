@@ -15,7 +15,8 @@ inline Vec3<double> toVec3(const Array3 &a) { return {a[0], a[1], a[2]}; }
 
 /// Wall at \p step: LAMMPS' wiggle is coord + A - A cos(w t), shear is a constant surface velocity.
 template <class Real>
-WallView<Real> wallAt(const WallSpec &spec, const Roles &roles, std::int64_t step, double dt, Vec3<Real> *spring, Real *contacts)
+WallView<Real> wallAt(const WallSpec &spec, const Roles &roles, std::int64_t step, double dt, Vec3<Real> *spring,
+                      Real *contacts)
 {
   WallView<Real> v{};
   v.law = coefficients<Real>(spec.law);
@@ -51,7 +52,8 @@ inline int componentBits(const std::array<bool, 3> &set)
 }
 
 /// Integrator whose coming positions belong to \p coming.
-inline IntegratorView integratorAt(const IntegratorSpec &spec, const Roles &roles, std::int64_t coming, double dt, double halfKick)
+inline IntegratorView integratorAt(const IntegratorSpec &spec, const Roles &roles, std::int64_t coming, double dt,
+                                   double halfKick)
 {
   IntegratorView v{};
   v.kind = spec.kind;

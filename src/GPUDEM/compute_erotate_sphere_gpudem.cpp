@@ -13,7 +13,7 @@ double ComputeERotateSphereGpudem::compute_scalar()
   VerletGpudem *device = VerletGpudem::active(lmp);
   if (!device) return ComputeERotateSphere::compute_scalar();
   invoked_scalar = update->ntimestep;
-  constexpr double inertia = 0.4;   // of a sphere, as in the stock compute
+  constexpr double inertia = 0.4;  // of a sphere, as in the stock compute
   scalar = 0.5 * force->mvv2e * inertia * device->kineticSums(static_cast<unsigned>(groupbit)).rotational;
   return scalar;
 }

@@ -18,7 +18,7 @@ class FixEnforce2DGpudem : public FixEnforce2D, public ResidentFix {
   void describe(gpudem::SceneSpec &scene) override;
 
  private:
-  std::string word;   ///< style as the script spells it
+  std::string word;  ///< style as the script spells it
 };
 
 }  // namespace LAMMPS_NS

@@ -19,7 +19,7 @@ class FixFreezeGpudem : public FixFreeze, public ResidentFix {
   void setForceBefore(const gpudem::Array3 &force) override;
 
  private:
-  std::string word;   ///< style as the script spells it
+  std::string word;  ///< style as the script spells it
 };
 
 }  // namespace LAMMPS_NS

@@ -23,8 +23,8 @@ class FixGravityGpudem : public FixGravity, public ResidentFix {
  private:
   double hostPotential() const;
 
-  std::string word;             ///< style as the script spells it
-  bool sumIsStale = false;      ///< the device acted since the stock class last summed its scalar
+  std::string word;         ///< style as the script spells it
+  bool sumIsStale = false;  ///< the device acted since the stock class last summed its scalar
 };
 
 }  // namespace LAMMPS_NS

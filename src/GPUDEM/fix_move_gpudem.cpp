@@ -13,7 +13,7 @@ using namespace LAMMPS_NS;
 
 FixMoveGpudem::FixMoveGpudem(LAMMPS *lmp, int narg, char **arg) : FixMove(lmp, narg, arg), word(arg[2])
 {
-  parse(narg, arg);   // the base class checked the syntax; its results are private
+  parse(narg, arg);  // the base class checked the syntax; its results are private
 }
 
 void FixMoveGpudem::parse(int narg, char **arg)
@@ -24,9 +24,9 @@ void FixMoveGpudem::parse(int narg, char **arg)
   bool scaled = true;
   for (int k = 4; k + 1 < narg; ++k)
     if (strcmp(arg[k], "units") == 0) scaled = strcmp(arg[k + 1], "lattice") == 0;
-  const gpudem::Array3 scale = scaled ? gpudem::Array3{domain->lattice->xlattice, domain->lattice->ylattice,
-                                                       domain->lattice->zlattice}
-                                      : gpudem::Array3{1.0, 1.0, 1.0};
+  const gpudem::Array3 scale =
+      scaled ? gpudem::Array3{domain->lattice->xlattice, domain->lattice->ylattice, domain->lattice->zlattice}
+             : gpudem::Array3{1.0, 1.0, 1.0};
   const double twoPi = 2.0 * std::acos(-1.0);
   if (strcmp(arg[3], "linear") == 0 || strcmp(arg[3], "wiggle") == 0) {
     motion.kind = gpudem::IntegratorKind::Prescribed;

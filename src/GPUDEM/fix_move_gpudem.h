@@ -25,7 +25,7 @@ class FixMoveGpudem : public FixMove, public ResidentFix {
  private:
   void parse(int narg, char **arg);
 
-  std::string word;   ///< style as the script spells it
+  std::string word;  ///< style as the script spells it
   gpudem::IntegratorSpec motion;
   bool variable = false;
 };

@@ -54,7 +54,7 @@ bool FixNeighHistoryGpudem::isMutual(int owner, int entry, const std::vector<int
       sum += std::fabs(mine[d] + theirs[d]);
       size += std::fabs(mine[d]) + std::fabs(theirs[d]);
     }
-    constexpr double roundOff = 1.0e-3;   // of single precision sums; the spring of another contact differs by its size
+    constexpr double roundOff = 1.0e-3;  // of single precision sums; the spring of another contact differs by its size
     return sum <= roundOff * size;
   }
   return false;

@@ -36,7 +36,7 @@ class FixNeighHistoryGpudem : public FixNeighHistory {
  private:
   bool isMutual(int owner, int entry, const std::vector<int> &localOf) const;
 
-  bool resident = false;                     ///< per-atom lists are the only host copy
+  bool resident = false;                       ///< per-atom lists are the only host copy
   class VerletGpudem *synchroniser = nullptr;  ///< set while the device holds the springs
 };
 

@@ -19,7 +19,7 @@ class FixNVESphereGpudem : public FixNVESphere, public ResidentFix {
   void describe(gpudem::SceneSpec &scene) override;
 
  private:
-  std::string word;   ///< style as the script spells it
+  std::string word;  ///< style as the script spells it
 };
 
 }  // namespace LAMMPS_NS

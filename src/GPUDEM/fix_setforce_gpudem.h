@@ -21,7 +21,7 @@ class FixSetForceGpudem : public FixSetForce, public ResidentFix {
   void setForceBefore(const gpudem::Array3 &force) override;
 
  private:
-  std::string word;   ///< style as the script spells it
+  std::string word;  ///< style as the script spells it
 };
 
 }  // namespace LAMMPS_NS

@@ -18,7 +18,7 @@ class FixViscousGpudem : public FixViscous, public ResidentFix {
   void describe(gpudem::SceneSpec &scene) override;
 
  private:
-  std::string word;   ///< style as the script spells it
+  std::string word;  ///< style as the script spells it
 };
 
 }  // namespace LAMMPS_NS

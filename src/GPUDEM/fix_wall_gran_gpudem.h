@@ -29,8 +29,8 @@ class FixWallGranGpudem : public FixWallGran, public ResidentFix {
   void importContacts(const std::vector<double> &columns);
 
  private:
-  std::string word;   ///< style as the script spells it
-  int wall = -1;      ///< index in the scene
+  std::string word;  ///< style as the script spells it
+  int wall = -1;     ///< index in the scene
 };
 
 }  // namespace LAMMPS_NS

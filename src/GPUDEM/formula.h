@@ -11,8 +11,8 @@ class LAMMPS;
 
 /// Which names a formula may contain besides arithmetic.
 enum class FormulaScope {
-  StepOnly,   ///< the step, the time and constants: may be evaluated ahead for queued steps
-  Thermo,     ///< also thermo keywords and computes that read the device
+  StepOnly,  ///< the step, the time and constants: may be evaluated ahead for queued steps
+  Thermo,    ///< also thermo keywords and computes that read the device
 };
 
 /// True if evaluating the equal-style variable \p name touches no per-particle host array.

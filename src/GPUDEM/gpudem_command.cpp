@@ -11,7 +11,8 @@ using namespace LAMMPS_NS;
 
 void GpudemCommand::command(int narg, char **arg)
 {
-  if (narg == 0) error->all(FLERR, "Command gpudem needs keyword value pairs; keywords are {}", GpudemSettings::keywords());
+  if (narg == 0)
+    error->all(FLERR, "Command gpudem needs keyword value pairs; keywords are {}", GpudemSettings::keywords());
   GpudemSettings &settings = gpudemSettings(lmp);
   for (int k = 0; k < narg; k += 2) {
     if (k + 1 >= narg) error->all(FLERR, "Command gpudem: keyword '{}' has no value", arg[k]);

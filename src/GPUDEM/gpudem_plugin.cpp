@@ -92,8 +92,8 @@ void registerStyles(LAMMPS *lmp)
 
 bool suffixIsGpudem(LAMMPS *lmp)
 {
-  return lmp->suffix_enable && ((lmp->suffix && strcmp(lmp->suffix, "gpudem") == 0) ||
-                                (lmp->suffix2 && strcmp(lmp->suffix2, "gpudem") == 0));
+  return lmp->suffix_enable &&
+         ((lmp->suffix && strcmp(lmp->suffix, "gpudem") == 0) || (lmp->suffix2 && strcmp(lmp->suffix2, "gpudem") == 0));
 }
 
 /// LAMMPS made these before any style of ours was known.
@@ -140,7 +140,7 @@ void LAMMPS::post_create()
 
 extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
 {
-  (void) handle;
-  (void) regfunc;   // registering in the maps needs no per-style call and survives in every version
+  (void)handle;
+  (void)regfunc;  // registering in the maps needs no per-style call and survives in every version
   install(static_cast<LAMMPS *>(lmp));
 }

@@ -12,10 +12,10 @@ struct Expose {
   friend typename Tag::type reach(Tag) { return member; }
 };
 #define GPUDEM_EXPOSE(tag, owner, member_type, member) \
-  struct tag {                                          \
-    using type = member_type owner::*;                  \
-    friend type reach(tag);                             \
-  };                                                    \
+  struct tag {                                         \
+    using type = member_type owner::*;                 \
+    friend type reach(tag);                            \
+  };                                                   \
   template struct Expose<tag, &owner::member>
 
 GPUDEM_EXPOSE(ThermoComputeCount, Thermo, int, ncompute);

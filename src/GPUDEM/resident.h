@@ -16,7 +16,7 @@ namespace LAMMPS_NS {
 /// Answer of a style that was asked whether the device can do its work.
 struct ResidentVerdict {
   bool possible = true;
-  std::string reason;   ///< why not, for the log
+  std::string reason;  ///< why not, for the log
   static ResidentVerdict no(const std::string &why) { return {false, why}; }
 };
 
@@ -40,7 +40,7 @@ class ResidentFix {
   bool actsOnForce() const { return forceTerm; }
 
  protected:
-  bool forceTerm = false;   ///< the fix acts at post_force
+  bool forceTerm = false;  ///< the fix acts at post_force
 };
 
 /// A pair style the device can evaluate.

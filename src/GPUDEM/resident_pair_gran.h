@@ -23,7 +23,7 @@ class PairGranResident : public Stock, public ResidentPair {
  public:
   explicit PairGranResident(LAMMPS *lmp) : Stock(lmp)
   {
-    this->limit_damping = 0;   // not in a restart file; the stock style leaves it unset after reading one
+    this->limit_damping = 0;  // not in a restart file; the stock style leaves it unset after reading one
   }
 
   void init_style() { initStyle(); }
@@ -32,9 +32,9 @@ class PairGranResident : public Stock, public ResidentPair {
   {
     gpudem::ContactLaw law;
     law.normal = normalModel;
-    law.tangential = springs ? gpudem::TangentialModel::Spring
-        : this->gammat == 0.0 || this->xmu == 0.0 ? gpudem::TangentialModel::None
-                                                  : gpudem::TangentialModel::Viscous;
+    law.tangential = springs                                   ? gpudem::TangentialModel::Spring
+                     : this->gammat == 0.0 || this->xmu == 0.0 ? gpudem::TangentialModel::None
+                                                               : gpudem::TangentialModel::Viscous;
     law.normalStiffness = this->kn;
     law.tangentialStiffness = this->kt;
     law.normalDamping = this->gamman;
@@ -47,8 +47,7 @@ class PairGranResident : public Stock, public ResidentPair {
   double largestRadius() const override
   {
     double r = 0.0;
-    for (int t = 1; t <= this->atom->ntypes; ++t)
-      r = std::max({r, this->maxrad_dynamic[t], this->maxrad_frozen[t]});
+    for (int t = 1; t <= this->atom->ntypes; ++t) r = std::max({r, this->maxrad_dynamic[t], this->maxrad_frozen[t]});
     return r;
   }
   void setVirial(const std::array<double, 6> &virial) override
@@ -76,7 +75,7 @@ class PairGranResident : public Stock, public ResidentPair {
     }
     if (springs && this->fix_history == nullptr) {
       const std::string number = std::to_string(this->instance_me);
-      this->fix_history = (FixNeighHistory *) this->modify->replace_fix(
+      this->fix_history = (FixNeighHistory *)this->modify->replace_fix(
           "NEIGH_HISTORY_HH_DUMMY" + number, "NEIGH_HISTORY_HH" + number + " all NEIGH_HISTORY/gpudem 3", 0);
       this->fix_history->pair = this;
     }

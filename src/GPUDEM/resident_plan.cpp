@@ -152,8 +152,8 @@ void checkThermo(LAMMPS *lmp, ResidentPlan &plan)
     if (!isHostFree(lmp, v, FormulaScope::Thermo)) readers.push_back("variable " + v);
   if (readers.empty()) return;
   plan.thermoOnDevice = false;
-  plan.onHost.push_back(fmt::format("{} at thermodynamic output: particles are copied to the host each time",
-                                    fmt::join(readers, ", ")));
+  plan.onHost.push_back(
+      fmt::format("{} at thermodynamic output: particles are copied to the host each time", fmt::join(readers, ", ")));
 }
 
 void checkLists(LAMMPS *lmp, ResidentPlan &plan)
@@ -168,8 +168,9 @@ void checkLists(LAMMPS *lmp, ResidentPlan &plan)
     if (c->peatomflag || c->pressatomflag) plan.hostLists = true;
   }
   if (plan.hostLists)
-    plan.onHost.push_back("a compute or fix reads neighbours or per-atom virials: ghosts and lists are built on the "
-                          "host at the steps it acts");
+    plan.onHost.push_back(
+        "a compute or fix reads neighbours or per-atom virials: ghosts and lists are built on the "
+        "host at the steps it acts");
 }
 
 void describeSkipped(LAMMPS *lmp, ResidentPlan &plan)
@@ -181,7 +182,7 @@ void describeSkipped(LAMMPS *lmp, ResidentPlan &plan)
   if (plan.scene.terms.empty()) plan.skipped.push_back("force terms");
   if (!plan.scene.exclusions.any()) plan.skipped.push_back("exclusions");
   if (!plan.hostLists) plan.skipped.push_back("ghosts and neighbour lists on the host");
-  (void) lmp;
+  (void)lmp;
 }
 
 }  // namespace

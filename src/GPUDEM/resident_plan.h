@@ -20,23 +20,23 @@ class ResidentPair;
 
 struct ResidentPlan {
   bool possible = false;
-  std::string reason;                       ///< why the stock loop runs instead
+  std::string reason;  ///< why the stock loop runs instead
 
   gpudem::SceneSpec scene;
   ResidentPair *pair = nullptr;
-  FixNeighHistoryGpudem *history = nullptr; ///< null for history-free pair styles
-  std::vector<ResidentFix *> fixes;         ///< all whose work the device does
-  std::vector<ResidentFix *> varying;       ///< those with a step-dependent term
+  FixNeighHistoryGpudem *history = nullptr;  ///< null for history-free pair styles
+  std::vector<ResidentFix *> fixes;          ///< all whose work the device does
+  std::vector<ResidentFix *> varying;        ///< those with a step-dependent term
   std::vector<FixWallGranGpudem *> walls;
   std::vector<FixMoveGpudem *> moves;
 
-  bool hostIntegrates = false;   ///< a host fix acts at initial_integrate, post_integrate or final_integrate
-  bool hostForces = false;       ///< a host fix acts at pre_force, pre_reverse or post_force
-  bool hostRebuilds = false;     ///< a host fix acts at every reneighbouring
-  std::vector<Fix *> scheduled;  ///< fixes that ask for reneighbouring at a step of their choice
-  std::vector<int> endOfStep;    ///< periods of the host fixes that act at end_of_step
-  bool hostLists = false;        ///< a host style asked for a neighbour list
-  bool thermoOnDevice = true;    ///< thermodynamic output needs no particle on the host
+  bool hostIntegrates = false;       ///< a host fix acts at initial_integrate, post_integrate or final_integrate
+  bool hostForces = false;           ///< a host fix acts at pre_force, pre_reverse or post_force
+  bool hostRebuilds = false;         ///< a host fix acts at every reneighbouring
+  std::vector<Fix *> scheduled;      ///< fixes that ask for reneighbouring at a step of their choice
+  std::vector<int> endOfStep;        ///< periods of the host fixes that act at end_of_step
+  bool hostLists = false;            ///< a host style asked for a neighbour list
+  bool thermoOnDevice = true;        ///< thermodynamic output needs no particle on the host
   std::vector<std::string> onHost;   ///< for the log: what runs on the host, and when
   std::vector<std::string> skipped;  ///< for the log: what the scene does not need
 

@@ -34,8 +34,8 @@ void ResidentState::prepareEngine()
   o.device = settings.device == "gpu" || (settings.device == "auto" && gpus > 0) ? gpudem::DeviceKind::Gpu
                                                                                  : gpudem::DeviceKind::Cpu;
   o.precision = settings.precision == "double" ? gpudem::Precision::Double : gpudem::Precision::Mixed;
-  o.threads = settings.threads > 0 ? settings.threads
-                                   : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  o.threads =
+      settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   engine_.reset();
   engine_ = gpudem::makeEngine(o);
   settingsVersion_ = settings.version;

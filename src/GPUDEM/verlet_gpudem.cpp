@@ -21,7 +21,9 @@
 
 using namespace LAMMPS_NS;
 
-VerletGpudem::VerletGpudem(LAMMPS *lmp, int narg, char **arg) : Verlet(lmp, narg, arg), state(lmp) {}
+VerletGpudem::VerletGpudem(LAMMPS *lmp, int narg, char **arg) : Verlet(lmp, narg, arg), state(lmp)
+{
+}
 
 VerletGpudem::~VerletGpudem() = default;
 
@@ -67,7 +69,7 @@ void VerletGpudem::cleanup()
 
 void VerletGpudem::runResident(int n)
 {
-  if (!onDevice) {   // "run N pre no": no setup went before; the host's arrays are the state
+  if (!onDevice) {  // "run N pre no": no setup went before; the host's arrays are the state
     enterResident();
     state.uploadAll(plan);
     state.engine().rebuild(state.box());
@@ -109,7 +111,7 @@ gpudem::StepInputs VerletGpudem::inputs(bigint step)
   in.step = step;
   if (plan.varying.empty()) return in;
   const bigint now = update->ntimestep;
-  update->ntimestep = step;   // the variables read it
+  update->ntimestep = step;  // the variables read it
   in.termValue.resize(plan.scene.terms.size());
   for (std::size_t k = 0; k < in.termValue.size(); ++k) in.termValue[k] = plan.scene.terms[k].value;
   for (ResidentFix *fix : plan.varying) in.termValue[fix->term] = fix->value();
@@ -216,8 +218,8 @@ void VerletGpudem::publish(const gpudem::Recording &record)
 
 void VerletGpudem::endOfStep(bigint step)
 {
-  const bool due = std::any_of(plan.endOfStep.begin(), plan.endOfStep.end(),
-                               [&](int period) { return step % period == 0; });
+  const bool due =
+      std::any_of(plan.endOfStep.begin(), plan.endOfStep.end(), [&](int period) { return step % period == 0; });
   if (!due) return;
   timer->stamp();
   if (plan.hostLists) {

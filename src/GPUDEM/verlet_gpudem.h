@@ -63,12 +63,12 @@ class VerletGpudem : public Verlet {
 
   ResidentPlan plan;
   ResidentState state;
-  bool onDevice = false;       ///< the device holds the particles
-  bool rowsDue = false;        ///< rows must be rebuilt before the next force
-  bool hostListsBuilt = false; ///< this run built neighbour lists on the host
+  bool onDevice = false;        ///< the device holds the particles
+  bool rowsDue = false;         ///< rows must be rebuilt before the next force
+  bool hostListsBuilt = false;  ///< this run built neighbour lists on the host
   bigint lastRebuild = 0;
-  int rebuildInterval = 16;    ///< steps between the last two rebuilds
-  std::string printed;         ///< the block printed last
+  int rebuildInterval = 16;  ///< steps between the last two rebuilds
+  std::string printed;       ///< the block printed last
   bigint sumsStep = -1;
   std::map<std::pair<unsigned, gpudem::Array3>, gpudem::KineticSums> sums;
 };

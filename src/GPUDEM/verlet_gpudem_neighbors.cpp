@@ -135,7 +135,7 @@ void VerletGpudem::evaluatePairOnHost()
   renewGhosts();
   force_clear();
   const int setup = update->setupflag;
-  update->setupflag = 1;   // springs must not advance
+  update->setupflag = 1;  // springs must not advance
   force->pair->compute(eflag, vflag);
   update->setupflag = setup;
   std::copy(f.begin(), f.end(), atom->f[0]);

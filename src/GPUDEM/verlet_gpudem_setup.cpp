@@ -51,15 +51,15 @@ void VerletGpudem::printPlan()
     block = fmt::format("GPUDEM: not resident, LAMMPS' own loop runs: {}\n", plan.reason);
   } else {
     const gpudem::ContactLaw &law = plan.scene.pair;
-    const char *tangential = law.tangential == gpudem::TangentialModel::Spring ? "tangential springs"
-        : law.tangential == gpudem::TangentialModel::Viscous                  ? "viscous friction"
-                                                                              : "no friction";
-    block = fmt::format("GPUDEM resident run\n  device    : {}\n  precision : {}\n  step      : {} contacts, {}; "
-                        "walls: {}, force terms: {}, integrators: {}\n",
-                        state.engine().deviceName(),
-                        state.engine().precision() == gpudem::Precision::Double ? "double" : "mixed",
-                        law.normal == gpudem::NormalModel::Hertz ? "Hertz" : "Hooke", tangential, plan.walls.size(),
-                        plan.scene.terms.size() - plan.walls.size(), plan.scene.integrators.size());
+    const char *tangential = law.tangential == gpudem::TangentialModel::Spring    ? "tangential springs"
+                             : law.tangential == gpudem::TangentialModel::Viscous ? "viscous friction"
+                                                                                  : "no friction";
+    block = fmt::format(
+        "GPUDEM resident run\n  device    : {}\n  precision : {}\n  step      : {} contacts, {}; "
+        "walls: {}, force terms: {}, integrators: {}\n",
+        state.engine().deviceName(), state.engine().precision() == gpudem::Precision::Double ? "double" : "mixed",
+        law.normal == gpudem::NormalModel::Hertz ? "Hertz" : "Hooke", tangential, plan.walls.size(),
+        plan.scene.terms.size() - plan.walls.size(), plan.scene.integrators.size());
     std::string skipped;
     for (const std::string &s : plan.skipped) skipped += (skipped.empty() ? "" : "; ") + s;
     block += fmt::format("  skipped   : {}\n", skipped.empty() ? "nothing" : skipped);

@@ -112,7 +112,7 @@ TEST_P(EngineTest, SetupForceAgreesWithTheOracle)
     Box box;
     box.hi = {9.0, 10.0, 9.5};
     box.periodic = {true, true, true};
-    const Grains start = randomCloud(1400, box, 0.1, 0.5, seed);   // several chunks of the CPU
+    const Grains start = randomCloud(1400, box, 0.1, 0.5, seed);  // several chunks of the CPU
     Case c{"", NormalModel::Hooke, TangentialModel::Viscous, box.periodic, 3};
     SceneSpec scene = makeScene(c, box, 0.5);
     scene.exclusions.types.emplace_back(2, 2);
@@ -167,7 +167,7 @@ TEST_P(EngineTest, TwoRunsAreBitwiseEqualWhateverTheThreadsAndBatches)
   Box box;
   box.hi = {14.0, 14.0, 14.0};
   box.periodic = {true, true, false};
-  const Grains start = randomCloud(3100, box, 0.35, 0.5, 4);   // enough for three threads
+  const Grains start = randomCloud(3100, box, 0.35, 0.5, 4);  // enough for three threads
   Case c{"", NormalModel::Hooke, TangentialModel::Spring, box.periodic, 3};
   const SceneSpec scene = makeScene(c, box, 0.5);
   std::vector<Grains> results;
@@ -211,7 +211,7 @@ TEST_P(EngineTest, SpringsSurviveRebuildsAndUploadsExactly)
   driver.run(200);
   const Springs before = springsOf(*engine, start);
   ASSERT_GT(before.size(), 50u);
-  for (const auto &[key, spring] : before) {   // both sides of a contact hold opposite springs
+  for (const auto &[key, spring] : before) {  // both sides of a contact hold opposite springs
     const auto other = before.find({key.second, key.first});
     ASSERT_NE(other, before.end());
     for (int d = 0; d < 3; ++d) ASSERT_EQ(spring[d], -other->second[d]);
@@ -275,7 +275,7 @@ TEST_P(EngineTest, BoxMayOutgrowItsWindows)
   Box box;
   box.hi = {5.0, 5.0, 5.0};
   const Grains start = randomCloud(100, box, 0.3, 0.5, 3);
-  Case c{"", NormalModel::Hooke, TangentialModel::Spring, {true, true, true}, 3};   // no walls
+  Case c{"", NormalModel::Hooke, TangentialModel::Spring, {true, true, true}, 3};  // no walls
   const SceneSpec scene = makeScene(c, box, 0.5);
   const std::unique_ptr<Engine> engine = make();
   Driver driver(*engine, scene, box, start);
@@ -283,7 +283,7 @@ TEST_P(EngineTest, BoxMayOutgrowItsWindows)
   const Springs springs = springsOf(*engine, start);
   StepInputs in;
   in.step = 20;
-  engine->evaluateForce(in, {});   // with the velocities at the step, as below
+  engine->evaluateForce(in, {});  // with the velocities at the step, as below
   const Grains before = driver.read();
   Box grown = box;
   grown.hi = {5.0e5, 5.0e5, 5.0e5};
@@ -291,7 +291,7 @@ TEST_P(EngineTest, BoxMayOutgrowItsWindows)
   engine->rebuild(grown);
   engine->evaluateForce(in, {});
   const Grains after = driver.read();
-  const double unit = fine() ? 1e-11 : 1e-6;   // window/2^53 and window/2^40 of windows of some 10^5
+  const double unit = fine() ? 1e-11 : 1e-6;  // window/2^53 and window/2^40 of windows of some 10^5
   EXPECT_LT(largestDifference(after.x, before.x), unit);
   EXPECT_EQ(after.v, before.v);
   EXPECT_LT(largestDifference(after.f, before.f), unit * 2.0 * scene.pair.normalStiffness + 1e-5 * largest(before.f));

@@ -19,7 +19,7 @@ struct Backend {
 inline std::string backendName(const ::testing::TestParamInfo<Backend> &info)
 {
   return std::string(info.param.device == DeviceKind::Cpu ? "Cpu" : "Gpu") +
-      (info.param.precision == Precision::Double ? "Double" : "Mixed");
+         (info.param.precision == Precision::Double ? "Double" : "Mixed");
 }
 
 /// Fixture that makes the engine or skips where there is no GPU.
@@ -36,12 +36,11 @@ class OnBackend : public ::testing::TestWithParam<Backend> {
   bool fine() const { return GetParam().precision == Precision::Double; }
 };
 
-#define GPUDEM_ON_ALL_BACKENDS(fixture)                                                                   \
-  INSTANTIATE_TEST_SUITE_P(All, fixture,                                                                  \
-                           ::testing::Values(Backend{DeviceKind::Cpu, Precision::Double},                 \
-                                             Backend{DeviceKind::Cpu, Precision::Mixed},                  \
-                                             Backend{DeviceKind::Gpu, Precision::Double},                 \
-                                             Backend{DeviceKind::Gpu, Precision::Mixed}),                 \
-                           backendName)
+#define GPUDEM_ON_ALL_BACKENDS(fixture)                                                                           \
+  INSTANTIATE_TEST_SUITE_P(                                                                                       \
+      All, fixture,                                                                                               \
+      ::testing::Values(Backend{DeviceKind::Cpu, Precision::Double}, Backend{DeviceKind::Cpu, Precision::Mixed},  \
+                        Backend{DeviceKind::Gpu, Precision::Double}, Backend{DeviceKind::Gpu, Precision::Mixed}), \
+      backendName)
 
 }  // namespace gpudem::testing

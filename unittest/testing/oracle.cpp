@@ -124,8 +124,7 @@ void Oracle::pairForce(std::size_t i, std::size_t j, bool advance)
   ContactForce<double> f;
   if (scene_.pair.tangential == TangentialModel::None)
     f = springDashpot<NormalModel::Hooke, TangentialModel::None>(k, c, spring, scene_.timestep, advance);
-  else
-    f = springDashpot(scene_.pair.normal, scene_.pair.tangential, k, c, spring, scene_.timestep, advance);
+  else f = springDashpot(scene_.pair.normal, scene_.pair.tangential, k, c, spring, scene_.timestep, advance);
   if (scene_.pair.hasHistory()) springs[key] = spring;
   for (int d = 0; d < 3; ++d) {
     g.f[3 * i + d] += f.force[d];
@@ -163,7 +162,8 @@ void Oracle::evaluate(std::int64_t step, bool advance)
           if (term.prescribed[d]) f[d] = term.value[d];
       if (term.kind == ForceTermKind::Freeze)
         for (int d = 0; d < 3; ++d) f[d] = t[d] = 0.0;
-      if (term.kind == ForceTermKind::Enforce2d) f[2] = t[0] = t[1] = g.v[3 * i + 2] = g.w[3 * i] = g.w[3 * i + 1] = 0.0;
+      if (term.kind == ForceTermKind::Enforce2d)
+        f[2] = t[0] = t[1] = g.v[3 * i + 2] = g.w[3 * i] = g.w[3 * i + 1] = 0.0;
       if (term.kind == ForceTermKind::Wall) {
         const WallSpec &spec = scene_.walls[term.wall];
         const WallView<double> wall =
@@ -173,9 +173,9 @@ void Oracle::evaluate(std::int64_t step, bool advance)
         m.vx = g.v[3 * i], m.vy = g.v[3 * i + 1], m.vz = g.v[3 * i + 2];
         m.wx = g.w[3 * i], m.wy = g.w[3 * i + 1], m.wz = g.w[3 * i + 2];
         m.mass = g.mass[i];
-        const ContactForce<double> c =
-            wallForce(wall, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(g.size()),
-                      Vec3<double>{g.x[3 * i], g.x[3 * i + 1], g.x[3 * i + 2]}, g.radius[i], m, scene_.timestep, advance);
+        const ContactForce<double> c = wallForce(
+            wall, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(g.size()),
+            Vec3<double>{g.x[3 * i], g.x[3 * i + 1], g.x[3 * i + 2]}, g.radius[i], m, scene_.timestep, advance);
         for (int d = 0; d < 3; ++d) {
           f[d] += c.force[d];
           t[d] -= g.radius[i] * c.couple[d];

@@ -36,7 +36,7 @@ class Oracle {
   void evaluate(std::int64_t step, bool advance);
   void step(std::int64_t next);
   Grains grains;
-  std::map<std::pair<int, int>, Vec3<double>> springs;   ///< of the smaller tag
+  std::map<std::pair<int, int>, Vec3<double>> springs;  ///< of the smaller tag
   std::array<double, 6> virial{};
   std::size_t contacts = 0;
 

@@ -79,7 +79,7 @@ double restitution(NormalModel normal, double gamma, double speed, bool limit)
 {
   const LawCoefficients<double> law{1e5, 0, gamma, 0, 0, 0, limit};
   const double r = 0.5, m = 1.0, dt = 1e-7;
-  double distance = 2 * r, approach = -speed;   // of the first grain relative to the second
+  double distance = 2 * r, approach = -speed;  // of the first grain relative to the second
   do {
     Contact<double> c{};
     c.branch = {distance, 0, 0};
@@ -121,7 +121,7 @@ TEST(ContactLaw, LimitedDampingNeverAttracts)
   c.inverseDistance = 1.0 / 0.999;
   c.overlap = 0.001;
   c.effectiveMass = 0.5;
-  c.relativeVelocity = {10, 0, 0};   // separating fast
+  c.relativeVelocity = {10, 0, 0};  // separating fast
   Vec3<double> spring{0, 0, 0};
   EXPECT_EQ((springDashpot<NormalModel::Hooke, TangentialModel::None>(law, c, spring, 1e-5, true).force.x), 0.0);
   EXPECT_GT(restitution(NormalModel::Hooke, 200, 1.0, true), restitution(NormalModel::Hooke, 200, 1.0, false));

@@ -73,9 +73,9 @@ void expectSeparations(double resolution, std::uint32_t fineMask = 0xffu)
 
 TEST(FixedPosition, SeparationIsExactToTheUnit)
 {
-  expectSeparations<Mixed>(std::ldexp(9.1, -40) + 2e-12);   // plus the round-off of the coordinates themselves
-  expectSeparations<Mixed>(std::ldexp(9.1, -32) + 2e-12, 0u);   // more than eight roles
-  expectSeparations<Double>(1e-11);   // the round-off of the double coordinates (1e4) themselves
+  expectSeparations<Mixed>(std::ldexp(9.1, -40) + 2e-12);      // plus the round-off of the coordinates themselves
+  expectSeparations<Mixed>(std::ldexp(9.1, -32) + 2e-12, 0u);  // more than eight roles
+  expectSeparations<Double>(1e-11);  // the round-off of the double coordinates (1e4) themselves
 }
 
 TEST(FixedPosition, AbsoluteCoordinateSurvivesTheRoundTrip)

@@ -55,7 +55,7 @@ class ClosedForm : public OnBackend {};
 TEST_P(ClosedForm, RestitutionOfTheSpringDashpotPair)
 {
   for (const double gamma : {0.0, 30.0, 100.0}) {
-    SceneSpec s = base(1e-6);   // the scheme is of first order in the dashpot
+    SceneSpec s = base(1e-6);  // the scheme is of first order in the dashpot
     s.pair.normalDamping = gamma;
     Grains g;
     g.add({-0.5005, 0, 5}, {1, 0, 0}, {0, 0, 0}, 0.5, 1.0);

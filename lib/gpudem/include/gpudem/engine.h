@@ -47,15 +47,15 @@ struct HostParticles {
 /// Tangential springs, in compressed rows: row i is [offset[i], offset[i+1]).
 /// Each contact appears in both rows with opposite sign.
 struct ContactHistory {
-  std::vector<std::uint32_t> offset;   ///< [n+1]
-  std::vector<std::int32_t> partner;   ///< [contacts] tag of the partner
-  std::vector<double> spring;          ///< [contacts][3] (distance)
+  std::vector<std::uint32_t> offset;  ///< [n+1]
+  std::vector<std::int32_t> partner;  ///< [contacts] tag of the partner
+  std::vector<double> spring;         ///< [contacts][3] (distance)
 };
 
 /// Values of the current step that a scene with moving parts changes.
 struct StepInputs {
-  std::int64_t step = 0;                 ///< the step whose force is evaluated
-  std::vector<Array3> termValue;         ///< replaces ForceTerm::value where not empty
+  std::int64_t step = 0;          ///< the step whose force is evaluated
+  std::vector<Array3> termValue;  ///< replaces ForceTerm::value where not empty
 };
 
 /// What an evaluation of the force at an event shall leave behind.
@@ -64,8 +64,8 @@ struct Recording {
 };
 
 struct Observables {
-  std::array<double, 6> virial{};        ///< xx yy zz xy xz yz, sum of branch x force over contacts (energy)
-  std::vector<Array3> termForce;         ///< per force term: total force before the term acted
+  std::array<double, 6> virial{};  ///< xx yy zz xy xz yz, sum of branch x force over contacts (energy)
+  std::vector<Array3> termForce;   ///< per force term: total force before the term acted
 };
 
 /// Sums over the grains of a group; exact fixed order, so reproducible.
@@ -83,8 +83,8 @@ struct Extent {
 
 /// Result of running queued steps.
 struct Progress {
-  int executed = 0;          ///< steps that ran
-  bool needsRebuild = false; ///< a grain used up its share of the skin: rebuild before the next force
+  int executed = 0;           ///< steps that ran
+  bool needsRebuild = false;  ///< a grain used up its share of the skin: rebuild before the next force
 };
 
 struct MemoryReport {

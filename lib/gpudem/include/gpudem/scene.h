@@ -42,18 +42,18 @@ enum class WallShape { Plane, Cylinder };
 struct WallSpec {
   ContactLaw law;
   WallShape shape = WallShape::Plane;
-  int axis = 2;                                             ///< normal of the planes (0, 1, 2)
-  double lo = -std::numeric_limits<double>::infinity();     ///< lower plane (distance), -inf if absent
-  double hi = std::numeric_limits<double>::infinity();      ///< upper plane (distance), +inf if absent
-  double radius = 0;                                        ///< cylinder (distance)
-  std::uint32_t groupMask = ~0u;                            ///< grains that feel the wall
+  int axis = 2;                                          ///< normal of the planes (0, 1, 2)
+  double lo = -std::numeric_limits<double>::infinity();  ///< lower plane (distance), -inf if absent
+  double hi = std::numeric_limits<double>::infinity();   ///< upper plane (distance), +inf if absent
+  double radius = 0;                                     ///< cylinder (distance)
+  std::uint32_t groupMask = ~0u;                         ///< grains that feel the wall
   bool wiggle = false;
   bool shear = false;
-  int motionAxis = 0;        ///< direction of wiggle or shear
-  double amplitude = 0;      ///< wiggle (distance)
+  int motionAxis = 0;           ///< direction of wiggle or shear
+  double amplitude = 0;         ///< wiggle (distance)
   double angularFrequency = 0;  ///< wiggle (radian/time)
   std::int64_t stepOrigin = 0;  ///< step at which the wiggle starts
-  double shearSpeed = 0;     ///< (distance/time)
+  double shearSpeed = 0;        ///< (distance/time)
   bool recordContacts = false;  ///< keep the eight columns of LAMMPS' "contacts" output
 };
 
@@ -63,11 +63,11 @@ enum class ForceTermKind { Gravity, Viscous, SetForce, Freeze, Enforce2d, Wall }
 struct ForceTerm {
   ForceTermKind kind = ForceTermKind::Gravity;
   std::uint32_t groupMask = ~0u;
-  Array3 value{};                       ///< gravity: acceleration; setforce: force
-  std::array<bool, 3> prescribed{};     ///< setforce: which components are set
-  int wall = -1;                        ///< Wall: index into SceneSpec::walls
-  bool record = false;                  ///< sum the force that stood here before the term (fix vector)
-  std::vector<double> dragPerType;      ///< viscous: gamma of types 1..n at [1..n] (force time/distance)
+  Array3 value{};                    ///< gravity: acceleration; setforce: force
+  std::array<bool, 3> prescribed{};  ///< setforce: which components are set
+  int wall = -1;                     ///< Wall: index into SceneSpec::walls
+  bool record = false;               ///< sum the force that stood here before the term (fix vector)
+  std::vector<double> dragPerType;   ///< viscous: gamma of types 1..n at [1..n] (force time/distance)
 };
 
 enum class IntegratorKind { NveSphere, Prescribed, Rotate };
@@ -76,14 +76,14 @@ enum class IntegratorKind { NveSphere, Prescribed, Rotate };
 struct IntegratorSpec {
   IntegratorKind kind = IntegratorKind::NveSphere;
   std::uint32_t groupMask = ~0u;
-  double inertia = 0.4;                 ///< moment of inertia / (m R^2): 2/5 sphere, 1/2 disc
-  std::array<bool, 3> prescribed{};     ///< Prescribed: components that are not integrated
-  bool wiggle = false;                  ///< Prescribed: sinusoidal instead of linear
-  Array3 vector{};                      ///< Prescribed: velocity (linear) or amplitude (wiggle)
-  Array3 point{};                       ///< Rotate: a point on the axis
-  Array3 axis{};                        ///< Rotate: unit vector
-  double angularFrequency = 0;          ///< wiggle, Rotate (radian/time)
-  std::int64_t stepOrigin = 0;          ///< step of the stored original positions
+  double inertia = 0.4;              ///< moment of inertia / (m R^2): 2/5 sphere, 1/2 disc
+  std::array<bool, 3> prescribed{};  ///< Prescribed: components that are not integrated
+  bool wiggle = false;               ///< Prescribed: sinusoidal instead of linear
+  Array3 vector{};                   ///< Prescribed: velocity (linear) or amplitude (wiggle)
+  Array3 point{};                    ///< Rotate: a point on the axis
+  Array3 axis{};                     ///< Rotate: unit vector
+  double angularFrequency = 0;       ///< wiggle, Rotate (radian/time)
+  std::int64_t stepOrigin = 0;       ///< step of the stored original positions
 };
 
 /// Pairs that are never neighbours (neigh_modify exclude).

@@ -80,8 +80,8 @@ class CpuExec {
   }
 
   /// Stable counting sort of keys below \p range. \p order[k] is the old index of the k-th smallest.
-  void sort(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order,
-            std::uint32_t count, std::uint32_t range)
+  void sort(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order, std::uint32_t count,
+            std::uint32_t range)
   {
     starts_.assign(static_cast<std::size_t>(range) + 1, 0);
     for (std::uint32_t i = 0; i < count; ++i) ++starts_[key.data()[i] + 1];

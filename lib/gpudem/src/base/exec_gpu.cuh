@@ -116,8 +116,8 @@ class GpuExec {
     return total;
   }
 
-  void sort(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order,
-            std::uint32_t count, std::uint32_t range)
+  void sort(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order, std::uint32_t count,
+            std::uint32_t range)
   {
     int bits = 1;
     while (bits < 32 && (1ull << bits) < range) ++bits;
@@ -126,10 +126,12 @@ class GpuExec {
     forEach(count, IdentityValues{identity_.data()});
     std::size_t bytes = 0;
     check(cub::DeviceRadixSort::SortPairs(nullptr, bytes, key.data(), keyOut.data(), identity_.data(), order.data(),
-                                          count, 0, bits), "sizing a sort");
+                                          count, 0, bits),
+          "sizing a sort");
     scratch_.reserve(bytes);
     check(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, key.data(), keyOut.data(), identity_.data(),
-                                          order.data(), count, 0, bits), "sorting");
+                                          order.data(), count, 0, bits),
+          "sorting");
   }
 
   template <class T>
@@ -147,7 +149,10 @@ class GpuExec {
   {
     if (count) check(cudaMemcpy(host, device, count * sizeof(T), cudaMemcpyDeviceToHost), "copying from the GPU");
   }
-  void synchronize() const { check(cudaDeviceSynchronize(), "running the queued kernels"); }
+  void synchronize() const
+  {
+    check(cudaDeviceSynchronize(), "running the queued kernels");
+  }
 
  private:
   cudaDeviceProp properties_{};

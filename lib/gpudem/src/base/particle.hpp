@@ -26,8 +26,8 @@ struct alignas(16) CoarsePosition {
 
 /// The remaining bits, kept and read in double precision only.
 struct alignas(16) FinePosition {
-  std::uint32_t x, y, z;   ///< lower 32 bits of the modular coordinate
-  std::uint32_t radius;    ///< the 29 bits of the radius' mantissa that a float cannot hold
+  std::uint32_t x, y, z;  ///< lower 32 bits of the modular coordinate
+  std::uint32_t radius;   ///< the 29 bits of the radius' mantissa that a float cannot hold
 };
 
 template <class Real>
@@ -35,27 +35,27 @@ struct alignas(16) Motion;
 
 template <>
 struct alignas(16) Motion<float> {
-  float vx, vy, vz;       ///< velocity (distance/time)
+  float vx, vy, vz;  ///< velocity (distance/time)
   float mass;
-  float wx, wy, wz;       ///< spin (radian/time)
-  std::uint32_t word;     ///< roles and, above them, the lower bits of the position: see Roles
+  float wx, wy, wz;    ///< spin (radian/time)
+  std::uint32_t word;  ///< roles and, above them, the lower bits of the position: see Roles
 };
 template <>
 struct alignas(16) Motion<double> {
   double vx, vy, vz;
   double mass;
   double wx, wy, wz;
-  std::uint32_t word;     ///< roles
+  std::uint32_t word;  ///< roles
   std::uint32_t spare;
 };
 
 /// Constants of the modular coordinates, the same for the whole life of an upload.
 struct Frame {
-  Vec3<double> origin;      ///< where coordinate 0 lies (distance)
-  Vec3<double> window;      ///< period of the coordinate (distance)
-  Vec3<double> inverse;     ///< 1/window
-  Vec3<double> unit32;      ///< window/2^32
-  Vec3<double> unit64;      ///< window/2^64
+  Vec3<double> origin;   ///< where coordinate 0 lies (distance)
+  Vec3<double> window;   ///< period of the coordinate (distance)
+  Vec3<double> inverse;  ///< 1/window
+  Vec3<double> unit32;   ///< window/2^32
+  Vec3<double> unit64;   ///< window/2^64
 };
 
 /// Position of \p x in its window, as 64-bit fraction.
@@ -111,7 +111,7 @@ struct PositionArrays {
   CoarsePosition *coarse;
   FinePosition *fine;
   Motion<typename P::Real> *motion;
-  std::uint32_t fineMask;   ///< mixed: see Roles
+  std::uint32_t fineMask;  ///< mixed: see Roles
 };
 
 GPUDEM_HD std::uint64_t join(std::uint32_t upper, std::uint32_t lower)
@@ -156,14 +156,14 @@ GPUDEM_HD CoarsePosition coarsePart(const FixedPosition &p)
 GPUDEM_HD CoarsePosition storePosition(const PositionArrays<Mixed> &a, std::uint32_t i, const FixedPosition &p,
                                        std::uint32_t &word)
 {
-  const std::uint64_t half = a.fineMask ? 1ull << 23 : 1ull << 31;   // to nearest
+  const std::uint64_t half = a.fineMask ? 1ull << 23 : 1ull << 31;  // to nearest
   const FixedPosition q{p.x + half, p.y + half, p.z + half, p.radius};
   CoarsePosition c = coarsePart(q);
   c.radius = static_cast<float>(p.radius);
   a.coarse[i] = c;
   if (a.fineMask)
     word = (word & 0xffu) | static_cast<std::uint32_t>(q.x >> 24 & 0xffu) << 8 |
-        static_cast<std::uint32_t>(q.y >> 24 & 0xffu) << 16 | static_cast<std::uint32_t>(q.z >> 24 & 0xffu) << 24;
+           static_cast<std::uint32_t>(q.y >> 24 & 0xffu) << 16 | static_cast<std::uint32_t>(q.z >> 24 & 0xffu) << 24;
   return c;
 }
 GPUDEM_HD CoarsePosition storePosition(const PositionArrays<Double> &a, std::uint32_t i, const FixedPosition &p,

@@ -69,8 +69,8 @@ GPUDEM_HD std::int64_t roundToInt(double x)
 GPUDEM_HD double toDouble(std::int64_t x)
 {
 #ifdef __CUDA_ARCH__
-  const double upper = __hiloint2double(0x43300000, static_cast<int>(x >> 32) ^ static_cast<int>(0x80000000)) -
-      4503601774854144.0;
+  const double upper =
+      __hiloint2double(0x43300000, static_cast<int>(x >> 32) ^ static_cast<int>(0x80000000)) - 4503601774854144.0;
   const double lower = __hiloint2double(0x43300000, static_cast<int>(x)) - 4503599627370496.0;
   return __fma_rn(upper, 4294967296.0, lower);
 #else
@@ -80,7 +80,7 @@ GPUDEM_HD double toDouble(std::int64_t x)
 GPUDEM_HD double toDouble(std::int32_t x)
 {
 #ifdef __CUDA_ARCH__
-  return __hiloint2double(0x43300000, x ^ static_cast<int>(0x80000000)) - 4503601774854144.0;   // 2^52 + 2^31
+  return __hiloint2double(0x43300000, x ^ static_cast<int>(0x80000000)) - 4503601774854144.0;  // 2^52 + 2^31
 #else
   return static_cast<double>(x);
 #endif
@@ -90,7 +90,7 @@ GPUDEM_HD double toDouble(std::int32_t x)
 GPUDEM_HD float biasedByte(std::uint32_t word, int k)
 {
 #ifdef __CUDA_ARCH__
-  return __uint_as_float(__byte_perm(word, 0x4b000000u, 0x7440u | static_cast<std::uint32_t>(k)));   // 2^23 + byte
+  return __uint_as_float(__byte_perm(word, 0x4b000000u, 0x7440u | static_cast<std::uint32_t>(k)));  // 2^23 + byte
 #else
   return static_cast<float>(static_cast<std::int32_t>(word >> (8 * k) & 0xffu));
 #endif
@@ -128,7 +128,10 @@ GPUDEM_HD float divide(float a, float b)
   return a / b;
 #endif
 }
-GPUDEM_HD double divide(double a, double b) { return a / b; }
+GPUDEM_HD double divide(double a, double b)
+{
+  return a / b;
+}
 
 GPUDEM_HD float inverseSquareRoot(float x)
 {
@@ -138,7 +141,10 @@ GPUDEM_HD float inverseSquareRoot(float x)
   return 1.0f / std::sqrt(x);
 #endif
 }
-GPUDEM_HD double inverseSquareRoot(double x) { return 1.0 / squareRoot(x); }
+GPUDEM_HD double inverseSquareRoot(double x)
+{
+  return 1.0 / squareRoot(x);
+}
 
 GPUDEM_HD int lowestBit(std::uint32_t bits)
 {
@@ -158,7 +164,10 @@ GPUDEM_HD int bitCount(std::uint32_t bits)
 }
 
 /// Number of pieces of \p size that hold \p count.
-GPUDEM_HD std::uint32_t chunksOf(std::uint32_t count, std::uint32_t size) { return (count + size - 1) / size; }
+GPUDEM_HD std::uint32_t chunksOf(std::uint32_t count, std::uint32_t size)
+{
+  return (count + size - 1) / size;
+}
 
 /// Smallest value wins: deterministic whatever the order of the threads.
 GPUDEM_HD void atomicLower(std::uint32_t *address, std::uint32_t value)
@@ -167,8 +176,8 @@ GPUDEM_HD void atomicLower(std::uint32_t *address, std::uint32_t value)
   atomicMin(address, value);
 #else
   std::uint32_t old = __atomic_load_n(address, __ATOMIC_RELAXED);
-  while (value < old &&
-         !__atomic_compare_exchange_n(address, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+  while (value < old && !__atomic_compare_exchange_n(address, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+  }
 #endif
 }
 

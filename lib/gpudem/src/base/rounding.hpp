@@ -46,13 +46,16 @@ GPUDEM_HD float addUnbiased(float a, float b, RoundingBits &random)
   const double sum = static_cast<double>(a) + static_cast<double>(b);
   std::uint64_t bits;
   memcpy(&bits, &sum, 8);
-  constexpr std::uint64_t cut = 0x1fffffffu;   // the 29 bits that a float does not hold
+  constexpr std::uint64_t cut = 0x1fffffffu;  // the 29 bits that a float does not hold
   bits = (bits + (random.next() & cut)) & ~cut;
   double kept;
   memcpy(&kept, &bits, 8);
   return static_cast<float>(kept);
 }
 /// Double precision needs no such care.
-GPUDEM_HD double addUnbiased(double a, double b, RoundingBits &) { return a + b; }
+GPUDEM_HD double addUnbiased(double a, double b, RoundingBits &)
+{
+  return a + b;
+}
 
 }  // namespace gpudem

@@ -29,7 +29,7 @@ namespace gpudem {
 template <class Real>
 struct LawCoefficients {
   Real kn, kt, gamman, gammat, friction;
-  Real inverseKt;   ///< 1/kt, 0 if kt is 0
+  Real inverseKt;  ///< 1/kt, 0 if kt is 0
   bool limitDamping;
 };
 
@@ -67,8 +67,8 @@ struct ContactForce {
 /// \param spring tangential spring, read and written by TangentialModel::Spring only (distance)
 /// \param dt     time step, 0 when the springs must not advance (LAMMPS' setup)
 template <NormalModel normal, TangentialModel tangential, class Real>
-GPUDEM_HD ContactForce<Real> springDashpot(const LawCoefficients<Real> &law, const Contact<Real> &c,
-                                           Vec3<Real> &spring, Real dt, bool advance)
+GPUDEM_HD ContactForce<Real> springDashpot(const LawCoefficients<Real> &law, const Contact<Real> &c, Vec3<Real> &spring,
+                                           Real dt, bool advance)
 {
   const Real inverse = c.inverseDistance;
   const Real inverse2 = inverse * inverse;
@@ -87,8 +87,8 @@ GPUDEM_HD ContactForce<Real> springDashpot(const LawCoefficients<Real> &law, con
   out.couple = {Real(0), Real(0), Real(0)};
   if (tangential == TangentialModel::None) return out;
 
-  const Vec3<Real> slip = (c.relativeVelocity - c.branch * (normalRate * inverse2)) -
-      cross(c.surfaceSpin * inverse, c.branch);
+  const Vec3<Real> slip =
+      (c.relativeVelocity - c.branch * (normalRate * inverse2)) - cross(c.surfaceSpin * inverse, c.branch);
   const Real limit = law.friction * absolute(push * c.distance);
   Vec3<Real> friction;
 
@@ -119,19 +119,17 @@ GPUDEM_HD ContactForce<Real> springDashpot(const LawCoefficients<Real> &law, con
 /// The same with the models chosen at run time, for contacts that are few (walls).
 template <class Real>
 GPUDEM_HD ContactForce<Real> springDashpot(NormalModel normal, TangentialModel tangential,
-                                           const LawCoefficients<Real> &law, const Contact<Real> &c,
-                                           Vec3<Real> &spring, Real dt, bool advance)
+                                           const LawCoefficients<Real> &law, const Contact<Real> &c, Vec3<Real> &spring,
+                                           Real dt, bool advance)
 {
   using N = NormalModel;
   using T = TangentialModel;
   if (normal == N::Hertz) {
-    return tangential == T::Spring
-        ? springDashpot<N::Hertz, T::Spring>(law, c, spring, dt, advance)
-        : springDashpot<N::Hertz, T::Viscous>(law, c, spring, dt, advance);
+    return tangential == T::Spring ? springDashpot<N::Hertz, T::Spring>(law, c, spring, dt, advance)
+                                   : springDashpot<N::Hertz, T::Viscous>(law, c, spring, dt, advance);
   }
-  return tangential == T::Spring
-      ? springDashpot<N::Hooke, T::Spring>(law, c, spring, dt, advance)
-      : springDashpot<N::Hooke, T::Viscous>(law, c, spring, dt, advance);
+  return tangential == T::Spring ? springDashpot<N::Hooke, T::Spring>(law, c, spring, dt, advance)
+                                 : springDashpot<N::Hooke, T::Viscous>(law, c, spring, dt, advance);
 }
 
 }  // namespace gpudem

@@ -108,7 +108,7 @@ class EngineImpl final : public Engine {
   AnchorRule anchorRule_{};
   std::uint32_t count_ = 0;
 
-  int posNow_ = 0, motNow_ = 0;       ///< which of the two buffers holds the current state
+  int posNow_ = 0, motNow_ = 0;  ///< which of the two buffers holds the current state
   int queued_ = 0;
   std::vector<std::int64_t> queuedSteps_;
   bool rowsValid_ = false, forceValid_ = false, storeFresh_ = false;

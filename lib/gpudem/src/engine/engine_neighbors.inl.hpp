@@ -21,8 +21,8 @@ Extent EngineImpl<Exec, P>::extent(const Box &box)
   if (!count_) return e;
   const double huge = std::numeric_limits<double>::max();
   const ExtentSum none{{huge, huge, huge}, {-huge, -huge, -huge}, 0};
-  const ExtentSum s = exec_.reduce(
-      count_, GrainExtent<P>{positions(), cell_.data(), grid_, frame_, toBoxView(box)}, JoinExtents{}, none);
+  const ExtentSum s = exec_.reduce(count_, GrainExtent<P>{positions(), cell_.data(), grid_, frame_, toBoxView(box)},
+                                   JoinExtents{}, none);
   for (int d = 0; d < 3; ++d) {
     e.lo[d] = s.lo[d];
     e.hi[d] = s.hi[d];
@@ -90,8 +90,8 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
 
   key_.reserve(count_);
   order_.reserve(count_);
-  exec_.forEach(count_, PlaceGrains<P>{positions(), cell_.data(), grid_, fresh, frame_, toBoxView(box_),
-                                       image_.data(), key_.data()});
+  exec_.forEach(count_, PlaceGrains<P>{positions(), cell_.data(), grid_, fresh, frame_, toBoxView(box_), image_.data(),
+                                       key_.data()});
   grid_ = fresh;
   exec_.sort(key_, cell_, order_, count_, grid_.cells());
 

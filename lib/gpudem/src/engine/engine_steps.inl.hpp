@@ -305,8 +305,8 @@ KineticSums EngineImpl<Exec, P>::kineticSums(std::uint32_t groupMask, const Arra
   KineticSums k;
   if (!count_) return k;
   const Sums<9> s = exec_.reduce(count_,
-                                 KineticTerms<P>{positions(), motion_[motNow_].data(), mask_.data(), cell_.data(), grid_,
-                                                 frame_, groupMask, toVec3(gravity)},
+                                 KineticTerms<P>{positions(), motion_[motNow_].data(), mask_.data(), cell_.data(),
+                                                 grid_, frame_, groupMask, toVec3(gravity)},
                                  AddSums{}, Sums<9>{});
   for (int d = 0; d < 6; ++d) k.momentumFlux[d] = s.value[d];
   k.rotational = s.value[6];

@@ -18,8 +18,8 @@ MemoryReport EngineImpl<Exec, P>::memory() const
     add(motion_[k]);
   }
   for (const auto *a : {&type_, &image_, &intScratch_, &tag_, &storePartner_}) add(*a);
-  for (const auto *a : {&mask_, &hostIndex_, &cell_, &key_, &order_, &anchor_, &uintScratch_, &cellFirst_, &cellEnd_,
-                        &storeOffset_})
+  for (const auto *a :
+       {&mask_, &hostIndex_, &cell_, &key_, &order_, &anchor_, &uintScratch_, &cellFirst_, &cellEnd_, &storeOffset_})
     add(*a);
   for (const auto *a : {&force_, &torque_, &vecScratch_}) add(*a);
   for (const auto *a : {&origin_, &originScratch_}) add(*a);
@@ -38,9 +38,9 @@ std::size_t EngineImpl<Exec, P>::bytesPerGrain() const
 {
   const double entries = report_.entriesPerGrain > 0.0 ? report_.entriesPerGrain : 10.0;
   std::size_t b = 2 * (sizeof(CoarsePosition) + sizeof(Motion<Real>) + (P::fine ? sizeof(FinePosition) : 0));
-  b += 15 * sizeof(std::uint32_t) + 3 * sizeof(Vec3<Real>);   // indices, flags, keys; forces, torques, scratch
+  b += 15 * sizeof(std::uint32_t) + 3 * sizeof(Vec3<Real>);  // indices, flags, keys; forces, torques, scratch
   b += static_cast<std::size_t>(entries * sizeof(std::uint32_t));
-  if (scene_.pair.hasHistory())   // springs in the rows and, for some six contacts, in the store
+  if (scene_.pair.hasHistory())  // springs in the rows and, for some six contacts, in the store
     b += static_cast<std::size_t>(entries * 3 * sizeof(Real)) + 6 * (3 * sizeof(Real) + sizeof(std::int32_t));
   for (const WallSpec &wall : scene_.walls)
     if (wall.law.hasHistory()) b += sizeof(Vec3<Real>);
@@ -158,21 +158,20 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned fields)
 {
   if (host.count != count_)
-    throw Error(fmt::format("{} grains on the host, {} resident: the whole state must be uploaded", host.count, count_));
+    throw Error(
+        fmt::format("{} grains on the host, {} resident: the whole state must be uploaded", host.count, count_));
   if (!count_) return;
   const std::uint32_t *index = hostIndex_.data();
   Motion<Real> *motion = motion_[motNow_].data();
-  const auto vectors = [&](const double *p) {
-    return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_);
-  };
+  const auto vectors = [&](const double *p) { return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_); };
   if ((fields & fieldShape) && host.radius) {
     exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), index, positions()});
     exec_.forEach(count_, ImportMass<Real>{stageIn(host.mass, count_), index, motion});
     rowsValid_ = false;
   }
   if ((fields & fieldPosition) && host.position) {
-    exec_.forEach(count_, ImportPositions<P>{vectors(host.position), nullptr, index, grid_, frame_,
-                                             positions(), cell_.data()});
+    exec_.forEach(count_,
+                  ImportPositions<P>{vectors(host.position), nullptr, index, grid_, frame_, positions(), cell_.data()});
     rowsValid_ = false;
   }
   if ((fields & fieldVelocity) && host.velocity)
@@ -279,9 +278,9 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::uploadWallHistory(int wall, const double *spring)
 {
   if (!count_ || !wallSpring_[wall].capacity()) return;
-  exec_.forEach(count_, ImportValues<Vec3<double>, Vec3<Real>>{
-                            stageIn(reinterpret_cast<const Vec3<double> *>(spring), count_), hostIndex_.data(),
-                            wallSpring_[wall].data()});
+  exec_.forEach(count_,
+                ImportValues<Vec3<double>, Vec3<Real>>{stageIn(reinterpret_cast<const Vec3<double> *>(spring), count_),
+                                                       hostIndex_.data(), wallSpring_[wall].data()});
 }
 
 template <class Exec, class P>

@@ -17,8 +17,14 @@ std::string gpuProblem()
   return problem;
 }
 #else
-int gpuCount() { return 0; }
-std::string gpuProblem() { return "this build has no CUDA backend"; }
+int gpuCount()
+{
+  return 0;
+}
+std::string gpuProblem()
+{
+  return "this build has no CUDA backend";
+}
 #endif
 
 std::unique_ptr<Engine> makeEngine(const EngineOptions &options)

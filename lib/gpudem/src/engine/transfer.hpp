@@ -17,8 +17,8 @@ template <class P>
 struct ImportPositions {
   static constexpr int blockSize = 256;
   static constexpr int minimumBlocks = 1;
-  const Vec3<double> *x;            ///< host order
-  const double *radius;             ///< host order, null: keep
+  const Vec3<double> *x;  ///< host order
+  const double *radius;   ///< host order, null: keep
   const std::uint32_t *hostIndex;
   CellGrid grid;
   Frame frame;
@@ -123,8 +123,8 @@ struct SetRoles {
   static constexpr int blockSize = 256;
   static constexpr int minimumBlocks = 1;
   Roles roles;
-  std::uint32_t keep;          ///< bits of the word that hold a position
-  const std::uint32_t *mask;   ///< group bits
+  std::uint32_t keep;         ///< bits of the word that hold a position
+  const std::uint32_t *mask;  ///< group bits
   Motion<Real> *out;
   GPUDEM_HD void operator()(std::uint32_t i) const
   {

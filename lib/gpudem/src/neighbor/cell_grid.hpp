@@ -8,17 +8,14 @@
 namespace gpudem {
 
 struct CellGrid {
-  Vec3<double> lo;        ///< corner of cell (0,0,0) (distance)
-  Vec3<double> size;      ///< edge of a cell (distance)
-  Vec3<double> inverse;   ///< 1/size
-  int nx, ny, nz;         ///< cells with grains
+  Vec3<double> lo;                ///< corner of cell (0,0,0) (distance)
+  Vec3<double> size;              ///< edge of a cell (distance)
+  Vec3<double> inverse;           ///< 1/size
+  int nx, ny, nz;                 ///< cells with grains
   int blocksX, blocksY, blocksZ;  ///< ceil(n/4)
   bool wrapX, wrapY, wrapZ;       ///< periodic
 
-  GPUDEM_HD std::uint32_t cells() const
-  {
-    return static_cast<std::uint32_t>(blocksX) * blocksY * blocksZ * 64u;
-  }
+  GPUDEM_HD std::uint32_t cells() const { return static_cast<std::uint32_t>(blocksX) * blocksY * blocksZ * 64u; }
   GPUDEM_HD std::uint32_t index(int cx, int cy, int cz) const
   {
     const std::uint32_t block = (static_cast<std::uint32_t>(cz >> 2) * blocksY + (cy >> 2)) * blocksX + (cx >> 2);
@@ -45,8 +42,7 @@ struct CellGrid {
   }
   GPUDEM_HD std::uint32_t cellOf(const Vec3<double> &x) const
   {
-    return index(locate(x.x, lo.x, inverse.x, nx), locate(x.y, lo.y, inverse.y, ny),
-                 locate(x.z, lo.z, inverse.z, nz));
+    return index(locate(x.x, lo.x, inverse.x, nx), locate(x.y, lo.y, inverse.y, ny), locate(x.z, lo.z, inverse.z, nz));
   }
 };
 
@@ -73,7 +69,10 @@ GPUDEM_HD void neighbourRange(int n, bool wrap, int c, int &first, int &last)
     if (c == n - 1) last = 0;
   }
 }
-GPUDEM_HD int wrapCell(int c, int n) { return c < 0 ? c + n : c >= n ? c - n : c; }
+GPUDEM_HD int wrapCell(int c, int n)
+{
+  return c < 0 ? c + n : c >= n ? c - n : c;
+}
 
 /// Call visit(cell) for \p cell and each distinct cell around it.
 template <class Visit>

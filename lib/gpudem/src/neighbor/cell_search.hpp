@@ -98,9 +98,7 @@ void forEachPair(const BuildView<P> &v, std::uint32_t begin, std::uint32_t end, 
     for (std::size_t k = 0; k < n; ++k) {
       const std::uint32_t j = list.found[k];
       if (j == i || (j < i && j >= begin)) continue;
-      if (anyExclusion &&
-          v.exclude.excluded(v.mask[i], v.mask[j], v.type[i], v.type[j]))
-        continue;
+      if (anyExclusion && v.exclude.excluded(v.mask[i], v.mask[j], v.type[i], v.type[j])) continue;
       pair(i, j);
     }
   }

@@ -15,7 +15,10 @@
 namespace gpudem {
 
 /// Largest distance at which two grains are listed (distance).
-inline double reachOf(const SceneSpec &scene) { return 2.0 * scene.largestRadius + scene.skin; }
+inline double reachOf(const SceneSpec &scene)
+{
+  return 2.0 * scene.largestRadius + scene.skin;
+}
 
 /// Cells of at least one reach. \p count bounds the number of cells to what the grains are worth.
 inline CellGrid chooseGrid(const Box &box, double reach, std::size_t count)

@@ -18,18 +18,18 @@ constexpr std::uint32_t grainsPerChunk = 512;
 /// The pairs of one chunk, one array per quantity; pairs that touched when the list was built come first.
 template <class Real>
 struct PairChunk {
-  std::uint32_t front = 0;              ///< pairs that touched when the list was built
-  std::vector<std::uint32_t> partner;   ///< device index
-  std::vector<std::uint16_t> owner;     ///< grain within the chunk
-  std::vector<std::uint16_t> mirror;    ///< the partner within the chunk, grainsPerChunk if it lies outside
-  std::vector<std::uint8_t> touching;   ///< 1: the pair holds a spring (history laws only)
-  std::vector<Real> spring;             ///< [pairs][3] tangential spring of the owner (distance)
+  std::uint32_t front = 0;             ///< pairs that touched when the list was built
+  std::vector<std::uint32_t> partner;  ///< device index
+  std::vector<std::uint16_t> owner;    ///< grain within the chunk
+  std::vector<std::uint16_t> mirror;   ///< the partner within the chunk, grainsPerChunk if it lies outside
+  std::vector<std::uint8_t> touching;  ///< 1: the pair holds a spring (history laws only)
+  std::vector<Real> spring;            ///< [pairs][3] tangential spring of the owner (distance)
 
   std::size_t size() const { return partner.size(); }
   std::size_t bytes() const
   {
     return partner.capacity() * sizeof(std::uint32_t) + (owner.capacity() + mirror.capacity()) * sizeof(std::uint16_t) +
-        touching.capacity() + spring.capacity() * sizeof(Real);
+           touching.capacity() + spring.capacity() * sizeof(Real);
   }
   void clear()
   {
@@ -47,7 +47,7 @@ struct BuildPairs {
   using Real = typename P::Real;
   BuildView<P> v;
   ContactStore<Real> store;
-  const std::uint32_t *oldIndex;   ///< [n] row of each grain in the store
+  const std::uint32_t *oldIndex;  ///< [n] row of each grain in the store
   PairChunk<Real> *chunks;
 
   void operator()(std::uint32_t c) const
@@ -102,7 +102,7 @@ template <class Real>
 struct CountPairSprings {
   const PairChunk<Real> *chunks;
   std::uint32_t count;
-  std::uint32_t *out;   ///< [n]
+  std::uint32_t *out;  ///< [n]
   void operator()(std::uint32_t c) const
   {
     const PairChunk<Real> &pairs = chunks[c];
@@ -122,7 +122,7 @@ struct ExtractPairSprings {
   const PairChunk<Real> *chunks;
   std::uint32_t count;
   const std::int32_t *tag;
-  const std::uint32_t *offset;   ///< [n+1]
+  const std::uint32_t *offset;  ///< [n+1]
   std::int32_t *partner;
   Real *spring;
   void operator()(std::uint32_t c) const

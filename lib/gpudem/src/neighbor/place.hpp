@@ -110,7 +110,7 @@ struct CellRanges {
   static constexpr int minimumBlocks = 1;
   const std::uint32_t *key;
   std::uint32_t count;
-  std::uint32_t *first, *end;   ///< [cells], zero where the cell is empty
+  std::uint32_t *first, *end;  ///< [cells], zero where the cell is empty
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     if (i == 0 || key[i - 1] != key[i]) first[key[i]] = i;
@@ -149,8 +149,8 @@ struct SetAnchors {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     const CoarsePosition c = position.coarse[i];
-    std::uint32_t a = ((c.x >> rule.shiftX) & 1023u) | ((c.y >> rule.shiftY) & 1023u) << 10 |
-        ((c.z >> rule.shiftZ) & 1023u) << 20;
+    std::uint32_t a =
+        ((c.x >> rule.shiftX) & 1023u) | ((c.y >> rule.shiftY) & 1023u) << 10 | ((c.z >> rule.shiftZ) & 1023u) << 20;
     if (walls > 0) {
       const FixedPosition p = loadPosition(position, i);
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);

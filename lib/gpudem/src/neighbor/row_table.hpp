@@ -26,7 +26,7 @@ class RowTable {
   std::size_t bytes() const
   {
     return count_.bytes() + sliceEntries_.bytes() + sliceWords_.bytes() + start_.bytes() + maskStart_.bytes() +
-        neighbor_.bytes() + touch_.bytes() + spring_.bytes();
+           neighbor_.bytes() + touch_.bytes() + spring_.bytes();
   }
 
   void build(Exec &exec, const BuildView<P> &v, bool history, const ContactStore<Real> &store,
@@ -67,8 +67,8 @@ class RowTable {
   template <bool history>
   FillRows<P, history, W> fill(const BuildView<P> &v, const ContactStore<Real> &store, const std::uint32_t *oldIndex)
   {
-    return {v, start_.data(), maskStart_.data(), count_.data(), neighbor_.data(), touch_.data(), spring_.data(), store,
-            oldIndex};
+    return {v,     start_.data(), maskStart_.data(), count_.data(), neighbor_.data(), touch_.data(), spring_.data(),
+            store, oldIndex};
   }
 
   template <class T>

@@ -12,7 +12,7 @@ namespace gpudem {
 struct ExclusionView {
   int groups;
   std::uint32_t groupA[maxGroupExclusions], groupB[maxGroupExclusions];
-  const std::uint8_t *typeTable;   ///< [(types+1)^2], null if no type is excluded
+  const std::uint8_t *typeTable;  ///< [(types+1)^2], null if no type is excluded
   int types;
 
   GPUDEM_HD bool excluded(std::uint32_t maskI, std::uint32_t maskJ, int typeI, int typeJ) const
@@ -26,9 +26,9 @@ struct ExclusionView {
 /// Springs of all contacts as compressed rows in the order of the grains before a rebuild.
 template <class Real>
 struct ContactStore {
-  const std::uint32_t *offset;   ///< [n+1]
-  const std::int32_t *partner;   ///< tag of the partner
-  const Real *spring;            ///< [contacts][3]
+  const std::uint32_t *offset;  ///< [n+1]
+  const std::int32_t *partner;  ///< tag of the partner
+  const Real *spring;           ///< [contacts][3]
 };
 
 template <class P>
@@ -36,11 +36,11 @@ struct BuildView {
   using Real = typename P::Real;
   std::uint32_t count;
   PositionArrays<P> position;
-  const std::uint32_t *mask;        ///< [n] group bits
+  const std::uint32_t *mask;  ///< [n] group bits
   const int *type;
   const std::int32_t *tag;
-  const std::uint32_t *cell;        ///< [n] sorted
-  const std::uint32_t *cellFirst, *cellEnd;   ///< [cells]
+  const std::uint32_t *cell;                 ///< [n] sorted
+  const std::uint32_t *cellFirst, *cellEnd;  ///< [cells]
   CellGrid grid;
   Frame frame;
   float skin;
@@ -79,7 +79,7 @@ struct CountNeighbors {
   static constexpr int blockSize = 128;
   static constexpr int minimumBlocks = 8;
   BuildView<P> v;
-  std::uint32_t *out;   ///< [n]
+  std::uint32_t *out;  ///< [n]
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     std::uint32_t n = 0;
@@ -95,7 +95,7 @@ struct SliceWidths {
   static constexpr int minimumBlocks = 1;
   std::uint32_t count;
   const std::uint32_t *length;
-  std::uint32_t *entries, *words;   ///< [slices]
+  std::uint32_t *entries, *words;  ///< [slices]
   GPUDEM_HD void operator()(std::uint32_t slice) const
   {
     std::uint32_t widest = 0;
@@ -118,7 +118,7 @@ struct FillRows {
   std::uint32_t *touch;
   Real *spring;
   ContactStore<Real> store;
-  const std::uint32_t *oldIndex;    ///< [n] row of each grain in the store
+  const std::uint32_t *oldIndex;  ///< [n] row of each grain in the store
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
@@ -145,8 +145,8 @@ struct FillRows {
   }
 
  private:
-  GPUDEM_HD void carry(std::uint32_t k, std::uint32_t base, std::uint32_t *word, std::int32_t tag,
-                       std::uint32_t from, std::uint32_t to) const
+  GPUDEM_HD void carry(std::uint32_t k, std::uint32_t base, std::uint32_t *word, std::int32_t tag, std::uint32_t from,
+                       std::uint32_t to) const
   {
     for (std::uint32_t m = from; m < to; ++m) {
       if (store.partner[m] != tag) continue;
@@ -164,7 +164,7 @@ struct CountSprings {
   static constexpr int blockSize = 256;
   static constexpr int minimumBlocks = 1;
   RowView<Real> rows;
-  std::uint32_t *out;   ///< [n]
+  std::uint32_t *out;  ///< [n]
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     const std::uint32_t *word = rows.touch + rows.maskStart[i / W] + i % W;

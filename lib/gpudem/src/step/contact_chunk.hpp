@@ -18,9 +18,9 @@ template <class P, NormalModel normal, TangentialModel tangential, StepMode mode
 struct ContactChunk {
   using Real = typename P::Real;
   static constexpr bool history = tangential == TangentialModel::Spring;
-  static constexpr std::uint32_t capacity = 128;   ///< pairs in a batch
-  static constexpr int stride = capacity + 16;     ///< arrays must not all start in the same set of the L1 cache
-  static constexpr std::uint32_t ahead = 24;       ///< pairs between asking for memory and using it
+  static constexpr std::uint32_t capacity = 128;  ///< pairs in a batch
+  static constexpr int stride = capacity + 16;    ///< arrays must not all start in the same set of the L1 cache
+  static constexpr std::uint32_t ahead = 24;      ///< pairs between asking for memory and using it
 
   StepView<P> s;
   PairChunk<Real> *chunks;
@@ -61,8 +61,8 @@ struct ContactChunk {
  private:
   /// Sums of each grain of the chunk; one more takes what belongs to grains of other chunks.
   struct Sums {
-    Real load[grainsPerChunk + 1][8];   ///< force, torque, padding
-    Real virial[mode == StepMode::Event ? grainsPerChunk + 1 : 1][6];   ///< a fused step keeps none
+    Real load[grainsPerChunk + 1][8];                                  ///< force, torque, padding
+    Real virial[mode == StepMode::Event ? grainsPerChunk + 1 : 1][6];  ///< a fused step keeps none
     explicit Sums(std::uint32_t grains)
     {
       memset(load, 0, grains * sizeof load[0]);
@@ -194,12 +194,17 @@ struct ContactChunk {
     const int size = b.padded();
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) {
-      const GatheredPair<Real> g{{b.bx[n], b.by[n], b.bz[n]}, b.room2[n], b.reach[n],
-                                 b.product[n], b.sum[n], b.radius[n], b.radius2[n],
-                                 {b.vx[n], b.vy[n], b.vz[n]}, {b.wx[n], b.wy[n], b.wz[n]}};
+      const GatheredPair<Real> g{{b.bx[n], b.by[n], b.bz[n]},
+                                 b.room2[n],
+                                 b.reach[n],
+                                 b.product[n],
+                                 b.sum[n],
+                                 b.radius[n],
+                                 b.radius2[n],
+                                 {b.vx[n], b.vy[n], b.vz[n]},
+                                 {b.wx[n], b.wy[n], b.wz[n]}};
       Vec3<Real> spring{history ? b.sx[n] : Real(0), history ? b.sy[n] : Real(0), history ? b.sz[n] : Real(0)};
-      const ContactForce<Real> f =
-          springDashpot<normal, tangential>(law, toContact<normal>(g), spring, dt, advance);
+      const ContactForce<Real> f = springDashpot<normal, tangential>(law, toContact<normal>(g), spring, dt, advance);
       b.fx[n] = f.force.x;
       b.fy[n] = f.force.y;
       b.fz[n] = f.force.z;

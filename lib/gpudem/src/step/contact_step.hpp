@@ -17,9 +17,9 @@ namespace gpudem {
 
 /// What follows the contact forces of grain \p i: force terms, then its motion or the record of the event.
 template <StepMode mode, bool walls, class P>
-GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPosition &p,
-                             Motion<typename P::Real> &m, Vec3<typename P::Real> force,
-                             Vec3<typename P::Real> torque, const typename P::Real *virial)
+GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPosition &p, Motion<typename P::Real> &m,
+                             Vec3<typename P::Real> force, Vec3<typename P::Real> torque,
+                             const typename P::Real *virial)
 {
   using Real = typename P::Real;
   const std::uint32_t anchor = s.anchor[i];
@@ -121,8 +121,8 @@ struct ContactStep {
         if (old >> k & 1u) spring = {slot[0], slot[1], slot[2]};
         now |= 1u << k;
       }
-      const ContactForce<Real> f = springDashpot<normal, tangential>(
-          s.law, toContact<normal>(g), spring, s.dt, mode == StepMode::Fused || s.advanceSprings);
+      const ContactForce<Real> f = springDashpot<normal, tangential>(s.law, toContact<normal>(g), spring, s.dt,
+                                                                     mode == StepMode::Fused || s.advanceSprings);
       if (history) {
         slot[0] = spring.x;
         slot[1] = spring.y;

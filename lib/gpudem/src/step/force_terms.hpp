@@ -47,8 +47,7 @@ GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const Fixe
       case ForceTermKind::Wall:
         if (walls && nearWall) {
           const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame);
-          const ContactForce<Real> c = wallForce(s.wall[term.wall], i, s.count, x, p.radius, m, s.dt,
-                                                 s.advanceSprings);
+          const ContactForce<Real> c = wallForce(s.wall[term.wall], i, s.count, x, p.radius, m, s.dt, s.advanceSprings);
           force += c.force;
           torque -= c.couple * static_cast<Real>(p.radius);
         }

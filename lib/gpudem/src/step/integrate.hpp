@@ -48,9 +48,8 @@ GPUDEM_HD void driftSphere(const StepView<P> &s, FixedPosition &p, const Motion<
 
 /// Velocities and spins advance by \p halves half kicks: one at an event, two in a fused step.
 template <class P>
-GPUDEM_HD void kickGrain(const StepView<P> &s, std::uint32_t i, double radius,
-                         const Vec3<typename P::Real> &force, const Vec3<typename P::Real> &torque,
-                         typename P::Real halves, Motion<typename P::Real> &m)
+GPUDEM_HD void kickGrain(const StepView<P> &s, std::uint32_t i, double radius, const Vec3<typename P::Real> &force,
+                         const Vec3<typename P::Real> &torque, typename P::Real halves, Motion<typename P::Real> &m)
 {
   using Real = typename P::Real;
   RoundingBits random(i, s.step);
@@ -143,8 +142,8 @@ GPUDEM_HD float anchorDistance(std::uint32_t now, std::uint32_t kept, int shift)
 
 /// What a grain's displacement asks for.
 enum Alarm : std::uint32_t {
-  spentAlarm = 1,    ///< too far from where it was when the rows were built, or too far in this step
-  brokenAlarm = 2,   ///< not a number, or farther in this step than a cell
+  spentAlarm = 1,   ///< too far from where it was when the rows were built, or too far in this step
+  brokenAlarm = 2,  ///< not a number, or farther in this step than a cell
 };
 
 /// \return bits of Alarm

@@ -22,7 +22,7 @@ template <class P, bool walls>
 class MotionChunk {
  public:
   using Real = typename P::Real;
-  static constexpr std::uint32_t capacity = 64;   ///< grains
+  static constexpr std::uint32_t capacity = 64;  ///< grains
 
   /// Fused step of grains begin .. begin + count - 1, count <= capacity.
   /// \param load [count][8] contact force and torque
@@ -115,7 +115,7 @@ class MotionChunk {
     m.word = word;
   }
 
-  static constexpr std::uint32_t stride = capacity + 8;   ///< arrays must not all start in the same set of the L1 cache
+  static constexpr std::uint32_t stride = capacity + 8;  ///< arrays must not all start in the same set of the L1 cache
   std::uint64_t x_[stride], y_[stride], z_[stride];
   double radius_[stride];
   Real vx_[stride], vy_[stride], vz_[stride], mass_[stride], wx_[stride], wy_[stride], wz_[stride];

@@ -26,7 +26,7 @@ template <class P>
 struct KineticTerms {
   PositionArrays<P> position;
   const Motion<typename P::Real> *motion;
-  const std::uint32_t *mask;   ///< group bits
+  const std::uint32_t *mask;  ///< group bits
   const std::uint32_t *cell;
   CellGrid grid;
   Frame frame;

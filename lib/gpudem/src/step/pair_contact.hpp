@@ -11,13 +11,13 @@ namespace gpudem {
 /// Differences and products of two touching grains; no root and no quotient yet.
 template <class Real>
 struct GatheredPair {
-  Vec3<Real> branch;             ///< from the partner to the grain (distance)
-  Real room2;                    ///< (R_i + R_j)^2 - distance^2, exact before rounding (distance^2)
-  Real reach;                    ///< R_i + R_j (distance)
-  Real massProduct, massSum;     ///< their quotient is the effective mass
-  Real radius, radius2;          ///< R_i, R_j (distance)
-  Vec3<Real> relativeVelocity;   ///< v_i - v_j
-  Vec3<Real> surfaceSpin;        ///< R_i omega_i + R_j omega_j
+  Vec3<Real> branch;            ///< from the partner to the grain (distance)
+  Real room2;                   ///< (R_i + R_j)^2 - distance^2, exact before rounding (distance^2)
+  Real reach;                   ///< R_i + R_j (distance)
+  Real massProduct, massSum;    ///< their quotient is the effective mass
+  Real radius, radius2;         ///< R_i, R_j (distance)
+  Vec3<Real> relativeVelocity;  ///< v_i - v_j
+  Vec3<Real> surfaceSpin;       ///< R_i omega_i + R_j omega_j
 };
 
 /// What a grain knows of itself while it visits its neighbours.
@@ -33,7 +33,10 @@ struct Self<Double> {
   FixedPosition position;
   Motion<double> motion;
 };
-GPUDEM_HD Self<Mixed> loadSelf(const StepView<Mixed> &s, std::uint32_t i) { return {s.in.coarse[i], s.motionIn[i]}; }
+GPUDEM_HD Self<Mixed> loadSelf(const StepView<Mixed> &s, std::uint32_t i)
+{
+  return {s.in.coarse[i], s.motionIn[i]};
+}
 GPUDEM_HD Self<Double> loadSelf(const StepView<Double> &s, std::uint32_t i)
 {
   return {loadPosition(s.in, i), s.motionIn[i]};
@@ -42,10 +45,10 @@ GPUDEM_HD Self<Double> loadSelf(const StepView<Double> &s, std::uint32_t i)
 /// Where two grains are to each other.
 template <class Real>
 struct Gap {
-  Vec3<Real> branch;        ///< from the partner to the grain (distance)
-  double room2;             ///< (R_i + R_j)^2 - distance^2 (distance^2)
-  Real reach;               ///< R_i + R_j (distance)
-  Real radius, radius2;     ///< R_i, R_j (distance)
+  Vec3<Real> branch;     ///< from the partner to the grain (distance)
+  double room2;          ///< (R_i + R_j)^2 - distance^2 (distance^2)
+  Real reach;            ///< R_i + R_j (distance)
+  Real radius, radius2;  ///< R_i, R_j (distance)
 };
 
 /// Mixed: the coarse bits suffice for the direction. The square of the distance takes all bits, the lower ones as a
@@ -66,7 +69,7 @@ GPUDEM_HD Gap<float> gapTo(const StepView<Mixed> &s, const Self<Mixed> &self, st
   const Vec3<float> lower{biasedByte(mine, 1) - biasedByte(word, 1), biasedByte(mine, 2) - biasedByte(word, 2),
                           biasedByte(mine, 3) - biasedByte(word, 3)};
   const float correction = g.branch.x * s.twiceFineUnit.x * lower.x + g.branch.y * s.twiceFineUnit.y * lower.y +
-      g.branch.z * s.twiceFineUnit.z * lower.z;
+                           g.branch.z * s.twiceFineUnit.z * lower.z;
   g.room2 = reach * reach - dot(coarse, coarse) - static_cast<double>(correction);
   g.reach = c.radius + o.radius;
   g.radius = c.radius;
@@ -89,15 +92,14 @@ GPUDEM_HD Gap<double> gapTo(const StepView<Double> &s, const Self<Double> &self,
 /// \return false if the grains do not touch, or overlap by less than the coordinates resolve (grains placed exactly
 /// side by side, as on a lattice); the same from both sides
 template <class P>
-GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32_t j,
-                          GatheredPair<typename P::Real> &g)
+GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32_t j, GatheredPair<typename P::Real> &g)
 {
   using Real = typename P::Real;
   const Motion<Real> &m = self.motion;
   const Gap<Real> gap = gapTo(s, self, j, P::fine ? 0u : s.motionIn[j].word);
   const bool touches = gap.room2 > static_cast<double>(gap.reach) * s.touchMargin;
 #ifdef __CUDA_ARCH__
-  if (!touches) return false;   // on the CPU a branch costs more than what it saves
+  if (!touches) return false;  // on the CPU a branch costs more than what it saves
 #endif
   const Motion<Real> o = s.motionIn[j];
   const Real ri = gap.radius, rj = gap.radius2;
@@ -108,7 +110,7 @@ GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32
   g.radius2 = rj;
   g.massProduct = m.mass * o.mass;
   g.massSum = m.mass + o.mass;
-  if ((m.word | o.word) & s.frozenRole) {   // a frozen grain counts as infinitely heavy
+  if ((m.word | o.word) & s.frozenRole) {  // a frozen grain counts as infinitely heavy
     g.massProduct = o.word & s.frozenRole ? m.mass : o.mass;
     g.massSum = Real(1);
   }

@@ -11,7 +11,10 @@
 
 namespace gpudem {
 
-inline Vec3<double> toVec3(const Array3 &a) { return {a[0], a[1], a[2]}; }
+inline Vec3<double> toVec3(const Array3 &a)
+{
+  return {a[0], a[1], a[2]};
+}
 
 /// Wall at \p step: LAMMPS' wiggle is coord + A - A cos(w t), shear is a constant surface velocity.
 template <class Real>

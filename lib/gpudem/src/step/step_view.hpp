@@ -12,8 +12,8 @@ namespace gpudem {
 
 /// Progress and alarms, shared by host and device.
 struct Status {
-  std::uint32_t lastAllowed;   ///< launches with a larger sequence number do nothing
-  std::uint32_t badParticle;   ///< smallest device index with a broken state, noParticle if none
+  std::uint32_t lastAllowed;  ///< launches with a larger sequence number do nothing
+  std::uint32_t badParticle;  ///< smallest device index with a broken state, noParticle if none
 };
 constexpr std::uint32_t noParticle = 0xffffffffu;
 constexpr std::uint32_t noLimit = 0xffffffffu;
@@ -33,10 +33,10 @@ struct RowView {
 
 /// Displacement since the rows were built, from 10 bits per coordinate of the position at that time.
 struct AnchorRule {
-  int shiftX, shiftY, shiftZ;     ///< the bits kept are [shift, shift + 10) of the coarse coordinate
-  float limit2;                   ///< squared displacement that is still safe (distance^2)
-  float stepLimit2;               ///< squared displacement of one step that is still safe (distance^2)
-  float lost2;                    ///< squared displacement of one step beyond which the state is broken
+  int shiftX, shiftY, shiftZ;  ///< the bits kept are [shift, shift + 10) of the coarse coordinate
+  float limit2;                ///< squared displacement that is still safe (distance^2)
+  float stepLimit2;            ///< squared displacement of one step that is still safe (distance^2)
+  float lost2;                 ///< squared displacement of one step beyond which the state is broken
 };
 constexpr std::uint32_t nearWallBit = 1u << 30;
 
@@ -48,34 +48,34 @@ struct WallView {
   TangentialModel tangential;
   WallShape shape;
   int axis;
-  double lo, hi, radius;          ///< current positions (distance)
-  Vec3<double> velocity;          ///< of the surface (distance/time)
-  double tangentialSpeed;         ///< of a turning cylinder (distance/time)
-  std::uint32_t role;             ///< bits of Motion::word
-  Vec3<Real> *spring;             ///< [n], null without history
-  Real *contacts;                 ///< [8][n], null unless recorded
+  double lo, hi, radius;   ///< current positions (distance)
+  Vec3<double> velocity;   ///< of the surface (distance/time)
+  double tangentialSpeed;  ///< of a turning cylinder (distance/time)
+  std::uint32_t role;      ///< bits of Motion::word
+  Vec3<Real> *spring;      ///< [n], null without history
+  Real *contacts;          ///< [8][n], null unless recorded
 };
 
 template <class Real>
 struct TermView {
   ForceTermKind kind;
-  std::uint32_t role;             ///< bits of Motion::word
+  std::uint32_t role;  ///< bits of Motion::word
   Vec3<Real> value;
-  int prescribed;                 ///< bits 0..2: components set
+  int prescribed;  ///< bits 0..2: components set
   int wall;
   const Real *dragPerType;
-  Vec3<Real> *before;             ///< [n] force before the term, null unless recorded
+  Vec3<Real> *before;  ///< [n] force before the term, null unless recorded
 };
 
 /// One integrator at the step being finished and the one being begun.
 struct IntegratorView {
   IntegratorKind kind;
-  std::uint32_t role;             ///< bits of Motion::word
-  double halfKickPerInertia;      ///< dt/2 over the inertia factor
-  int prescribed;                 ///< bits 0..2
-  Vec3<double> displacement;      ///< Prescribed: from the origin at the coming step (distance)
-  Vec3<double> velocity;          ///< Prescribed: at the coming step (distance/time)
-  Vec3<double> point, axis;       ///< Rotate
+  std::uint32_t role;                     ///< bits of Motion::word
+  double halfKickPerInertia;              ///< dt/2 over the inertia factor
+  int prescribed;                         ///< bits 0..2
+  Vec3<double> displacement;              ///< Prescribed: from the origin at the coming step (distance)
+  Vec3<double> velocity;                  ///< Prescribed: at the coming step (distance/time)
+  Vec3<double> point, axis;               ///< Rotate
   double cosine, sine, angularFrequency;  ///< Rotate, at the coming step
 };
 
@@ -84,27 +84,27 @@ struct StepView {
   using Real = typename P::Real;
 
   std::uint32_t count;
-  std::uint32_t sequence;         ///< number of this launch since the last flush
-  std::uint32_t step;             ///< of the force (low bits): seed of unbiased rounding
+  std::uint32_t sequence;  ///< number of this launch since the last flush
+  std::uint32_t step;      ///< of the force (low bits): seed of unbiased rounding
   Status *status;
 
   PositionArrays<P> in, out;
   const Motion<Real> *motionIn;
   Motion<Real> *motionOut;
 
-  RowView<Real> rows;             ///< on the GPU; the CPU has chunks of pairs
-  const std::uint32_t *anchor;    ///< [n] quantised position at the last rebuild and the near-wall bit
+  RowView<Real> rows;           ///< on the GPU; the CPU has chunks of pairs
+  const std::uint32_t *anchor;  ///< [n] quantised position at the last rebuild and the near-wall bit
   AnchorRule anchorRule;
   Frame frame;
-  Vec3<float> twiceFineUnit;      ///< 2 window/2^40, 0 if coordinates have no lower bits (mixed)
-  Vec3<float> coarseUnit;         ///< window/2^32
-  Vec3<Real> perUnit;             ///< stored fixed-point units per distance
-  float reachSlack;               ///< added to a sum of radii so that the coarse test misses no contact
+  Vec3<float> twiceFineUnit;  ///< 2 window/2^40, 0 if coordinates have no lower bits (mixed)
+  Vec3<float> coarseUnit;     ///< window/2^32
+  Vec3<Real> perUnit;         ///< stored fixed-point units per distance
+  float reachSlack;           ///< added to a sum of radii so that the coarse test misses no contact
 
-  double touchMargin;             ///< twice the resolution of a distance: less overlap is no contact (distance)
+  double touchMargin;  ///< twice the resolution of a distance: less overlap is no contact (distance)
 
   LawCoefficients<Real> law;
-  std::uint32_t frozenRole;       ///< bits of Motion::word
+  std::uint32_t frozenRole;  ///< bits of Motion::word
   Real dt;
   double halfKick;
   bool advanceSprings;
@@ -114,14 +114,14 @@ struct StepView {
   WallView<Real> wall[maxWalls];
   IntegratorView integrator[maxIntegrators];
 
-  const std::uint32_t *cell;      ///< [n] cell at the last rebuild
+  const std::uint32_t *cell;  ///< [n] cell at the last rebuild
   CellGrid grid;
-  const int *type;                ///< [n]
-  const Vec3<double> *origin;     ///< [n] original positions of prescribed motion
+  const int *type;             ///< [n]
+  const Vec3<double> *origin;  ///< [n] original positions of prescribed motion
 
-  Vec3<Real> *force, *torque;     ///< [n] written at events, read by the split kernels
-  Real *virial;                   ///< [6][n] or null
-  bool finish;                    ///< event: apply the second half kick
+  Vec3<Real> *force, *torque;  ///< [n] written at events, read by the split kernels
+  Real *virial;                ///< [6][n] or null
+  bool finish;                 ///< event: apply the second half kick
 };
 
 }  // namespace gpudem

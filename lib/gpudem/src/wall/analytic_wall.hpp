@@ -9,10 +9,10 @@ namespace gpudem {
 
 /// Where a wall touches a grain: the vector from the contact point to the centre.
 struct WallGap {
-  Vec3<double> branch;       ///< (distance)
-  double distance;           ///< |branch|
-  double curvature;          ///< 0 flat; else the signed radius that enters R_eff (distance)
-  Vec3<double> velocity;     ///< of the surface at the contact (distance/time)
+  Vec3<double> branch;    ///< (distance)
+  double distance;        ///< |branch|
+  double curvature;       ///< 0 flat; else the signed radius that enters R_eff (distance)
+  Vec3<double> velocity;  ///< of the surface at the contact (distance/time)
 };
 
 /// \return false when the grain does not touch. The nearer of two planes acts, as in LAMMPS.
@@ -59,8 +59,8 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   c.distance = static_cast<Real>(gap.distance);
   c.inverseDistance = static_cast<Real>(1.0 / gap.distance);
   c.overlap = static_cast<Real>(radius - gap.distance);
-  c.effectiveRadius = static_cast<Real>(
-      gap.curvature == 0.0 ? radius : radius * gap.curvature / (gap.curvature + radius));
+  c.effectiveRadius =
+      static_cast<Real>(gap.curvature == 0.0 ? radius : radius * gap.curvature / (gap.curvature + radius));
   c.effectiveMass = m.mass;
   c.relativeVelocity = Vec3<Real>{m.vx, m.vy, m.vz} - gap.velocity.template as<Real>();
   c.surfaceSpin = Vec3<Real>{m.wx, m.wy, m.wz} * static_cast<Real>(radius);
@@ -70,8 +70,13 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   if (wall.spring) wall.spring[i] = spring;
   if (wall.contacts) {
     const Vec3<double> at = x - gap.branch;
-    const Real column[8] = {Real(1), result.force.x, result.force.y, result.force.z,
-                            static_cast<Real>(at.x), static_cast<Real>(at.y), static_cast<Real>(at.z),
+    const Real column[8] = {Real(1),
+                            result.force.x,
+                            result.force.y,
+                            result.force.z,
+                            static_cast<Real>(at.x),
+                            static_cast<Real>(at.y),
+                            static_cast<Real>(at.z),
                             static_cast<Real>(radius)};
     for (int k = 0; k < 8; ++k) wall.contacts[static_cast<std::size_t>(k) * count + i] = column[k];
   }

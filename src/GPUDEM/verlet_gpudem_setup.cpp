@@ -55,9 +55,11 @@ void VerletGpudem::printPlan()
                              : law.tangential == gpudem::TangentialModel::Viscous ? "viscous friction"
                                                                                   : "no friction";
     block = fmt::format(
-        "GPUDEM resident run\n  device    : {}\n  precision : {}\n  step      : {} contacts, {}; "
+        "GPUDEM resident run\n  device    : {}\n  precision : {}, coordinates of {} bits\n  step      : {} contacts, "
+        "{}; "
         "walls: {}, force terms: {}, integrators: {}\n",
         state.engine().deviceName(), state.engine().precision() == gpudem::Precision::Double ? "double" : "mixed",
+        gpudem::coordinateBits(plan.scene, state.engine().precision()),
         law.normal == gpudem::NormalModel::Hertz ? "Hertz" : "Hooke", tangential, plan.walls.size(),
         plan.scene.terms.size() - plan.walls.size(), plan.scene.integrators.size());
     std::string skipped;

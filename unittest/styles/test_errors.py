@@ -201,8 +201,12 @@ class Doors(StylesTest):
         files = [("cloud.data", scenes.cloud())]
         run = self.run_lammps("gpudem precision double threads 2 device cpu\n" + scenes.scene(steps=10), files,
                               gpudem="mixed")
-        self.assertIn("precision : double", run.log)
+        self.assertIn("precision : double, coordinates of 64 bits", run.log)
         self.assertIn("2 threads", run.log)
+        for groups, bits in ((7, 40), (8, 32)):   # and the group of nve/sphere
+            crowd = "".join(f"group g{k} id {k + 1}:{k + 40}\nfix v{k} g{k} viscous 0.01\n" for k in range(groups))
+            run = self.run_lammps(scenes.scene(steps=10, before=crowd), files, gpudem="mixed")
+            self.assertIn(f"precision : mixed, coordinates of {bits} bits", run.log)
         quiet = self.run_lammps("gpudem info no\n" + scenes.scene(steps=10), files, gpudem="mixed")
         self.assertNotIn("GPUDEM resident run", quiet.log)
 

@@ -175,4 +175,7 @@ std::string gpuProblem();
 /// \throws Error when the device does not exist.
 std::unique_ptr<Engine> makeEngine(const EngineOptions &options);
 
+/// Bits of a resident coordinate: 64 in double precision; in mixed 40, or 32 if the scene names more than eight groups.
+int coordinateBits(const SceneSpec &scene, Precision precision);
+
 }  // namespace gpudem

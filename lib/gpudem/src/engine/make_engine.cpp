@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
 #include "engine/make_engine.hpp"
+#include "step/roles.hpp"
 
 namespace gpudem {
 
@@ -26,6 +27,12 @@ std::string gpuProblem()
   return "this build has no CUDA backend";
 }
 #endif
+
+int coordinateBits(const SceneSpec &scene, Precision precision)
+{
+  if (precision == Precision::Double) return 64;
+  return rolesOf(scene).fineMask() ? 40 : 32;
+}
 
 std::unique_ptr<Engine> makeEngine(const EngineOptions &options)
 {

@@ -66,6 +66,20 @@ GPUDEM_HD std::uint64_t toFraction(double x, double origin, double inverseWindow
   return static_cast<std::uint64_t>(t * 9007199254740992.0) << 11;  // 2^53, then to the top
 }
 
+/// Coordinates as fractions of the window in units of 2^-64, whatever the precision that stores them.
+struct FixedPosition {
+  std::uint64_t x, y, z;
+  double radius;
+};
+
+/// Coordinates of \p x; the radius stays.
+GPUDEM_HD void setCoordinates(FixedPosition &p, const Vec3<double> &x, const Frame &frame)
+{
+  p.x = toFraction(x.x, frame.origin.x, frame.inverse.x);
+  p.y = toFraction(x.y, frame.origin.y, frame.inverse.y);
+  p.z = toFraction(x.z, frame.origin.z, frame.inverse.z);
+}
+
 /// Radius of double precision from its two stored parts.
 GPUDEM_HD double joinRadius(float upper, std::uint32_t lower)
 {
@@ -97,12 +111,6 @@ struct Mixed {
 struct Double {
   using Real = double;
   static constexpr bool fine = true;
-};
-
-/// Coordinates as fractions of the window in units of 2^-64, whatever the precision that stores them.
-struct FixedPosition {
-  std::uint64_t x, y, z;
-  double radius;
 };
 
 /// Arrays of positions; \p fine is null in mixed precision, whose lower bits lie in the words of \p motion.

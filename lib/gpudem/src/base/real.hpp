@@ -30,16 +30,18 @@ GPUDEM_HD double symmetricSum(double a, double b, double c, double d)
 #endif
 }
 
+/// 2^52 + 2^51: a double of this size has its integer in the lower bits.
+constexpr double roundingShift = 6755399441055744.0;
+
 /// Nearest integer of |x| < 2^51, halves to even: adding 2^52 + 2^51 leaves the integer in the lower bits. Unlike
 /// the conversion instruction this fits the SIMD lanes of every processor.
 GPUDEM_HD std::int64_t roundSmall(double x)
 {
-  constexpr double shift = 6755399441055744.0;
-  const double sum = x + shift;
-  std::int64_t bits, zero;
+  const double sum = x + roundingShift, zero = roundingShift;
+  std::int64_t bits, zeroBits;
   memcpy(&bits, &sum, 8);
-  memcpy(&zero, &shift, 8);
-  return bits - zero;
+  memcpy(&zeroBits, &zero, 8);
+  return bits - zeroBits;
 }
 
 /// Nearest integer of |x| < 2^51.
@@ -57,10 +59,9 @@ GPUDEM_HD std::int64_t roundToInt(double x)
 #ifdef __CUDA_ARCH__
   return __double2ll_rn(x);
 #else
-  const std::int64_t upper = roundSmall(x * 0x1p-32);
-  constexpr double shift = 6755399441055744.0;
-  const double upperValue = (x * 0x1p-32 + shift) - shift;
-  return static_cast<std::int64_t>(static_cast<std::uint64_t>(upper) << 32) + roundSmall(x - upperValue * 0x1p32);
+  const double upper = (x * 0x1p-32 + roundingShift) - roundingShift;  // an integer
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(roundSmall(upper)) << 32) +
+         roundSmall(x - upper * 0x1p32);
 #endif
 }
 

@@ -28,9 +28,7 @@ struct ImportPositions {
   {
     const std::uint32_t h = hostIndex[i];
     FixedPosition p;
-    p.x = toFraction(x[h].x, frame.origin.x, frame.inverse.x);
-    p.y = toFraction(x[h].y, frame.origin.y, frame.inverse.y);
-    p.z = toFraction(x[h].z, frame.origin.z, frame.inverse.z);
+    setCoordinates(p, x[h], frame);
     p.radius = radius ? radius[h] : loadPosition(out, i).radius;
     storePosition(out, i, p, out.motion[i].word);
     cell[i] = grid.cellOf(x[h]);

@@ -63,10 +63,7 @@ struct ReframeGrains {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     FixedPosition p = loadPosition(position, i);
-    const Vec3<double> x = absolutePosition(p, cell[i], grid, from);
-    p.x = toFraction(x.x, to.origin.x, to.inverse.x);
-    p.y = toFraction(x.y, to.origin.y, to.inverse.y);
-    p.z = toFraction(x.z, to.origin.z, to.inverse.z);
+    setCoordinates(p, absolutePosition(p, cell[i], grid, from), to);
     storePosition(position, i, p, position.motion[i].word);
   }
 };

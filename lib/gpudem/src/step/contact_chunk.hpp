@@ -82,7 +82,7 @@ struct ContactChunk {
     Real wx[stride], wy[stride], wz[stride], sx[stride], sy[stride], sz[stride];
     Real fx[stride], fy[stride], fz[stride], cx[stride], cy[stride], cz[stride];
 
-    /// Whole vectors: what lies behind the last pair is left over from other pairs, and nobody reads the result.
+    /// Whole vectors: what lies behind the last pair is whatever the memory holds, and nobody reads the result.
     int padded() const { return (size + 15) / 16 * 16; }
   };
 
@@ -114,7 +114,7 @@ struct ContactChunk {
       GatheredPair<Real> g;
       const bool touches = gatherPair(s, loadSelf(s, i), j, g);
       put(b, k, g, pairs);
-      if (history) pairs.touching[k] = touches ? 1 : 0;
+      if (history) touching[k] = touches ? 1 : 0;
       b.size += touches ? 1 : 0;
     }
   }

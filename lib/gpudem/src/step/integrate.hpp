@@ -98,9 +98,7 @@ GPUDEM_HD bool driftGrain(const StepView<P> &s, std::uint32_t i, FixedPosition &
     if (it.kind == IntegratorKind::Rotate) {
       Vec3<double> x, v;
       rotateGrain(it, s.origin[i], x, v);
-      p.x = toFraction(x.x, f.origin.x, f.inverse.x);
-      p.y = toFraction(x.y, f.origin.y, f.inverse.y);
-      p.z = toFraction(x.z, f.origin.z, f.inverse.z);
+      setCoordinates(p, x, f);
       m.vx = static_cast<Real>(v.x);
       m.vy = static_cast<Real>(v.y);
       m.vz = static_cast<Real>(v.z);

@@ -62,22 +62,29 @@ class MotionChunk {
     anchor_[g] = anchor;
   }
 
-  void move(const StepView<P> &view, std::uint32_t begin, std::uint32_t count)
+  Motion<Real> motionAt(std::uint32_t g) const
   {
-    const StepView<P> &s = view;
+    Motion<Real> m{};
+    m.vx = vx_[g];
+    m.vy = vy_[g];
+    m.vz = vz_[g];
+    m.mass = mass_[g];
+    m.wx = wx_[g];
+    m.wy = wy_[g];
+    m.wz = wz_[g];
+    m.word = word_[g];
+    return m;
+  }
+  FixedPosition positionAt(std::uint32_t g) const { return {x_[g], y_[g], z_[g], radius_[g]}; }
+
+  void move(const StepView<P> &s, std::uint32_t begin, std::uint32_t count)
+  {
     const IntegratorView it = s.integrator[0];
     std::uint32_t alarms = 0;
 #pragma GCC ivdep
     for (std::uint32_t g = 0; g < count; ++g) {
-      Motion<Real> m{};
-      m.vx = vx_[g];
-      m.vy = vy_[g];
-      m.vz = vz_[g];
-      m.mass = mass_[g];
-      m.wx = wx_[g];
-      m.wy = wy_[g];
-      m.wz = wz_[g];
-      FixedPosition p{x_[g], y_[g], z_[g], radius_[g]};
+      Motion<Real> m = motionAt(g);
+      FixedPosition p = positionAt(g);
       RoundingBits random(begin + g, s.step);
       kickSphere(s, it, p.radius, Vec3<Real>{fx_[g], fy_[g], fz_[g]}, Vec3<Real>{tx_[g], ty_[g], tz_[g]}, Real(2),
                  random, m);
@@ -102,17 +109,9 @@ class MotionChunk {
 
   void write(const StepView<P> &s, std::uint32_t i, std::uint32_t g) const
   {
-    Motion<Real> &m = s.motionOut[i];
-    std::uint32_t word = word_[g];
-    storePosition(s.out, i, FixedPosition{x_[g], y_[g], z_[g], radius_[g]}, word);
-    m.vx = vx_[g];
-    m.vy = vy_[g];
-    m.vz = vz_[g];
-    m.mass = mass_[g];
-    m.wx = wx_[g];
-    m.wy = wy_[g];
-    m.wz = wz_[g];
-    m.word = word;
+    Motion<Real> m = motionAt(g);
+    storePosition(s.out, i, positionAt(g), m.word);
+    s.motionOut[i] = m;
   }
 
   static constexpr std::uint32_t stride = capacity + 8;  ///< arrays must not all start in the same set of the L1 cache

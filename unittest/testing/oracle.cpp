@@ -80,7 +80,11 @@ Grains randomCloud(std::size_t count, const Box &box, double smallest, double la
 
 Oracle::Oracle(const SceneSpec &scene, const Box &box, Grains g) : grains(std::move(g)), scene_(scene), box_(box)
 {
-  wallSprings_.assign(scene.walls.size(), std::vector<Vec3<double>>(grains.size(), Vec3<double>{0, 0, 0}));
+  layout_ = pairLayout(scene);
+  for (const WallSpec &wall : scene.walls) {
+    wallKept_.emplace_back(grains.size() * static_cast<std::size_t>(wallHistorySize(wall)), 0.0);
+    wallModel_.push_back(wall.model ? coefficients<double>(*wall.model) : ModelCoefficients<double>{});
+  }
 }
 
 void Oracle::pairForce(std::size_t i, std::size_t j, bool advance)
@@ -96,8 +100,14 @@ void Oracle::pairForce(std::size_t i, std::size_t j, bool advance)
   const double reach = g.radius[i] + g.radius[j];
   const std::pair<int, int> key(g.tag[i], g.tag[j]);
   const double r2 = dot(branch, branch);
-  if (r2 >= reach * reach) {
-    springs.erase(key);
+  const bool held = kept.count(key) > 0;
+  const ContactModel *model = nullptr;
+  if (!scene_.pairModels.empty())
+    model = &scene_.pairModels[static_cast<std::size_t>((g.type[i] - 1) * scene_.types + g.type[j] - 1)];
+  double limit = reach;
+  if (held && model) limit += pullOffGap(*model, g.radius[i] * g.radius[j] / reach);
+  if (r2 >= limit * limit) {
+    kept.erase(key);
     return;
   }
   for (const auto &[a, b] : scene_.exclusions.groups)
@@ -105,7 +115,7 @@ void Oracle::pairForce(std::size_t i, std::size_t j, bool advance)
   for (const auto &[a, b] : scene_.exclusions.types)
     if ((g.type[i] == a && g.type[j] == b) || (g.type[i] == b && g.type[j] == a)) return;
   ++contacts;
-  Contact<double> c;
+  Contact<double> c{};
   c.branch = branch;
   c.distance = std::sqrt(r2);
   c.inverseDistance = 1.0 / c.distance;
@@ -118,26 +128,63 @@ void Oracle::pairForce(std::size_t i, std::size_t j, bool advance)
     c.relativeVelocity[d] = g.v[3 * i + d] - g.v[3 * j + d];
     c.surfaceSpin[d] = g.radius[i] * g.w[3 * i + d] + g.radius[j] * g.w[3 * j + d];
   }
+  std::vector<double> &numbers = kept[key];
+  numbers.resize(static_cast<std::size_t>(layout_.size), 0.0);
+  if (model) return addModelForce(i, j, *model, c, numbers.data(), advance);
   Vec3<double> spring{0, 0, 0};
-  if (scene_.pair.hasHistory() && springs.count(key)) spring = springs[key];
+  if (layout_.size) spring = {numbers[0], numbers[1], numbers[2]};
   const LawCoefficients<double> k = coefficients<double>(scene_.pair);
   ContactForce<double> f;
   if (scene_.pair.tangential == TangentialModel::None)
     f = springDashpot<NormalModel::Hooke, TangentialModel::None>(k, c, spring, scene_.timestep, advance);
   else f = springDashpot(scene_.pair.normal, scene_.pair.tangential, k, c, spring, scene_.timestep, advance);
-  if (scene_.pair.hasHistory()) springs[key] = spring;
+  if (layout_.size) numbers = {spring.x, spring.y, spring.z};
   for (int d = 0; d < 3; ++d) {
-    g.f[3 * i + d] += f.force[d];
-    g.f[3 * j + d] -= f.force[d];
     g.t[3 * i + d] -= g.radius[i] * f.couple[d];
     g.t[3 * j + d] -= g.radius[j] * f.couple[d];
   }
-  virial[0] += branch.x * f.force.x;
-  virial[1] += branch.y * f.force.y;
-  virial[2] += branch.z * f.force.z;
-  virial[3] += branch.x * f.force.y;
-  virial[4] += branch.x * f.force.z;
-  virial[5] += branch.y * f.force.z;
+  addForce(i, j, branch, f.force);
+}
+
+void Oracle::addForce(std::size_t i, std::size_t j, const Vec3<double> &branch, const Vec3<double> &force)
+{
+  for (int d = 0; d < 3; ++d) {
+    grains.f[3 * i + d] += force[d];
+    grains.f[3 * j + d] -= force[d];
+  }
+  virial[0] += branch.x * force.x;
+  virial[1] += branch.y * force.y;
+  virial[2] += branch.z * force.z;
+  virial[3] += branch.x * force.y;
+  virial[4] += branch.x * force.z;
+  virial[5] += branch.y * force.z;
+}
+
+void Oracle::addModelForce(std::size_t i, std::size_t j, const ContactModel &model, const Contact<double> &c,
+                           double *numbers, bool advance)
+{
+  Grains &g = grains;
+  ContactState state{};
+  for (int d = 0; d < 3; ++d) {
+    state.branch[d] = c.branch[d];
+    state.relativeVelocity[d] = c.relativeVelocity[d];
+    state.surfaceSpin[d] = c.surfaceSpin[d];
+    state.spinDifference[d] = g.w[3 * i + d] - g.w[3 * j + d];
+  }
+  state.overlap = c.overlap;
+  state.effectiveRadius = c.effectiveRadius;
+  state.effectiveMass = c.effectiveMass;
+  state.radius = g.radius[i];
+  const ContactResult r = evaluateContact(model, layout_, state, numbers, advance ? scene_.timestep : 0.0);
+  const Vec3<double> n{r.normal[0], r.normal[1], r.normal[2]}, friction{r.friction[0], r.friction[1], r.friction[2]};
+  const Vec3<double> couple = cross(n, friction);
+  const double shorter = model.lever * c.overlap;
+  for (int d = 0; d < 3; ++d) {
+    const double moment = r.rolling[d] + r.twisting * n[d];
+    g.t[3 * i + d] += moment - (g.radius[i] - shorter) * couple[d];
+    g.t[3 * j + d] -= moment + (g.radius[j] - shorter) * couple[d];
+  }
+  addForce(i, j, c.branch, Vec3<double>{r.force[0], r.force[1], r.force[2]});
 }
 
 void Oracle::evaluate(std::int64_t step, bool advance)
@@ -166,19 +213,24 @@ void Oracle::evaluate(std::int64_t step, bool advance)
         f[2] = t[0] = t[1] = g.v[3 * i + 2] = g.w[3 * i] = g.w[3 * i + 1] = 0.0;
       if (term.kind == ForceTermKind::Wall) {
         const WallSpec &spec = scene_.walls[term.wall];
-        const WallView<double> wall =
-            wallAt<double>(spec, Roles{}, step, scene_.timestep,
-                           spec.law.hasHistory() ? wallSprings_[term.wall].data() : nullptr, nullptr);
+        WallView<double> wall = wallAt<double>(spec, Roles{}, step, scene_.timestep);
+        if (spec.model) {
+          wall.model = &wallModel_[term.wall];
+          wall.layout = layoutView(wallLayout(spec));
+          wall.flag = wallFlag(spec);
+        }
+        wall.historySize = wallHistorySize(spec);
+        wall.history = wall.historySize ? wallKept_[term.wall].data() : nullptr;
         Motion<double> m{};
         m.vx = g.v[3 * i], m.vy = g.v[3 * i + 1], m.vz = g.v[3 * i + 2];
         m.wx = g.w[3 * i], m.wy = g.w[3 * i + 1], m.wz = g.w[3 * i + 2];
         m.mass = g.mass[i];
-        const ContactForce<double> c = wallForce(
+        const ContactForce<double> c = wallForce<WallUse::Any>(
             wall, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(g.size()),
             Vec3<double>{g.x[3 * i], g.x[3 * i + 1], g.x[3 * i + 2]}, g.radius[i], m, scene_.timestep, advance);
         for (int d = 0; d < 3; ++d) {
           f[d] += c.force[d];
-          t[d] -= g.radius[i] * c.couple[d];
+          t[d] += c.moment[d] - (g.radius[i] - c.shorter) * c.couple[d];
         }
       }
     }

@@ -3,6 +3,8 @@
 /// \file The slow truth: every pair, double precision, springs in a map, plain velocity Verlet.
 #pragma once
 
+#include "contact/derive.hpp"
+#include "contact/scene_laws.hpp"
 #include "contact/spring_dashpot.hpp"
 #include "gpudem/engine.h"
 #include "step/scene_views.hpp"
@@ -36,15 +38,20 @@ class Oracle {
   void evaluate(std::int64_t step, bool advance);
   void step(std::int64_t next);
   Grains grains;
-  std::map<std::pair<int, int>, Vec3<double>> springs;  ///< of the smaller tag
+  std::map<std::pair<int, int>, std::vector<double>> kept;  ///< of pairs in contact, as the smaller tag sees it
   std::array<double, 6> virial{};
   std::size_t contacts = 0;
 
  private:
   void pairForce(std::size_t i, std::size_t j, bool advance);
+  void addModelForce(std::size_t i, std::size_t j, const ContactModel &model, const Contact<double> &c, double *numbers,
+                     bool advance);
+  void addForce(std::size_t i, std::size_t j, const Vec3<double> &branch, const Vec3<double> &force);
   SceneSpec scene_;
   Box box_;
-  std::vector<std::vector<Vec3<double>>> wallSprings_;
+  HistoryLayout layout_;
+  std::vector<std::vector<double>> wallKept_;  ///< [n][wallHistorySize]
+  std::vector<ModelCoefficients<double>> wallModel_;
 };
 
 }  // namespace gpudem::testing

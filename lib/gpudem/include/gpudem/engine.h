@@ -44,12 +44,13 @@ struct HostParticles {
   int *image = nullptr;        ///< [n] LAMMPS packed image flags (10/10/10 or 21/21/21 bits are the caller's)
 };
 
-/// Tangential springs, in compressed rows: row i is [offset[i], offset[i+1]).
-/// Each contact appears in both rows with opposite sign.
+/// What contacts keep (tangential springs, ...), in compressed rows: row i is [offset[i], offset[i+1]).
+/// Each contact appears in both rows, as either grain sees it.
 struct ContactHistory {
+  int size = 3;                       ///< numbers per contact, in the scene's HistoryLayout
   std::vector<std::uint32_t> offset;  ///< [n+1]
   std::vector<std::int32_t> partner;  ///< [contacts] tag of the partner
-  std::vector<double> spring;         ///< [contacts][3] (distance)
+  std::vector<double> spring;         ///< [contacts][size]
 };
 
 /// Values of the current step that a scene with moving parts changes.
@@ -129,7 +130,8 @@ class Engine {
 
   virtual void downloadHistory(ContactHistory &history) = 0;
 
-  /// Springs against wall \p wall, host order, [n][3]; zero where not touching.
+  /// Numbers kept against wall \p wall, host order, [n][wallHistorySize(wall)]; zero where not touching. Walls whose
+  /// contacts outlive touch begin with a flag, 1 while in contact.
   virtual void uploadWallHistory(int wall, const double *spring) = 0;
   virtual void downloadWallHistory(int wall, double *spring) = 0;
   /// Columns flag, force, contact point, radius of the last evaluated force, host order, [n][8].
@@ -174,6 +176,11 @@ int gpuCount();
 std::string gpuProblem();
 /// \throws Error when the device does not exist.
 std::unique_ptr<Engine> makeEngine(const EngineOptions &options);
+
+/// Numbers that a scene's pairs keep per contact.
+HistoryLayout pairHistoryLayout(const SceneSpec &scene);
+/// Numbers that a wall keeps per grain, the flag included.
+int wallHistorySize(const WallSpec &wall);
 
 /// Bits of a resident coordinate: 64 in double precision; in mixed 40, or 32 if the scene names more than eight groups.
 int coordinateBits(const SceneSpec &scene, Precision precision);

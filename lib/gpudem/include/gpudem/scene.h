@@ -5,9 +5,12 @@
 /// Units are those of the caller (LAMMPS' unit style); nothing in the library depends on them.
 #pragma once
 
+#include "gpudem/contact_model.h"
+
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +44,7 @@ enum class WallShape { Plane, Cylinder };
 /// One analytic wall: a pair of planes normal to an axis, or a cylinder around the z axis.
 struct WallSpec {
   ContactLaw law;
+  std::optional<ContactModel> model;  ///< takes the place of law if there is one
   WallShape shape = WallShape::Plane;
   int axis = 2;                                          ///< normal of the planes (0, 1, 2)
   double lo = -std::numeric_limits<double>::infinity();  ///< lower plane (distance), -inf if absent
@@ -94,8 +98,9 @@ struct Exclusions {
 };
 
 struct SceneSpec {
-  ContactLaw pair;
-  std::uint32_t frozenMask = 0;  ///< grains whose partner's mass alone is the effective mass
+  ContactLaw pair;                       ///< one law for all types
+  std::vector<ContactModel> pairModels;  ///< [types][types], takes the place of pair where not empty
+  std::uint32_t frozenMask = 0;          ///< grains whose partner's mass alone is the effective mass
   std::vector<WallSpec> walls;
   std::vector<ForceTerm> terms;
   std::vector<IntegratorSpec> integrators;

@@ -120,6 +120,23 @@ GPUDEM_HD double squareRoot(double x)
 #endif
 }
 
+GPUDEM_HD float cubeRoot(float x)
+{
+#ifdef __CUDA_ARCH__
+  return cbrtf(x);
+#else
+  return std::cbrt(x);
+#endif
+}
+GPUDEM_HD double cubeRoot(double x)
+{
+#ifdef __CUDA_ARCH__
+  return cbrt(x);
+#else
+  return std::cbrt(x);
+#endif
+}
+
 /// Quotient to two units in the last place in float (one instruction less than the exact one on a GPU).
 GPUDEM_HD float divide(float a, float b)
 {

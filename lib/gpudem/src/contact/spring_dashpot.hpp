@@ -14,13 +14,9 @@
 ///
 /// Source: Silbert et al., Phys. Rev. E 64 (2001) 051302; Brilliantov et al., Phys. Rev. E 53 (1996)
 /// 5382; Zhang and Makse, Phys. Rev. E 72 (2005) 011301; conventions of LAMMPS 29 Sep 2021.
-///
-/// Every quantity either flips its sign exactly or stays exactly the same when the two grains change
-/// places, so the two evaluations of a contact are opposite to the last bit.
 #pragma once
 
-#include "base/real.hpp"
-#include "base/vec3.hpp"
+#include "contact/contact.hpp"
 #include "gpudem/scene.h"
 
 namespace gpudem {
@@ -45,25 +41,6 @@ LawCoefficients<Real> coefficients(const ContactLaw &law)
           law.limitDamping};
 }
 
-/// Geometry and motion of one contact, seen from the grain.
-template <class Real>
-struct Contact {
-  Vec3<Real> branch;            ///< from the partner's centre (or the wall) to the grain's (distance)
-  Real distance;                ///< |branch|
-  Real inverseDistance;         ///< 1/|branch|
-  Real overlap;                 ///< sum of radii - distance, > 0 (distance)
-  Real effectiveRadius;         ///< R_i R_j/(R_i + R_j), read by Hertz only (distance)
-  Real effectiveMass;           ///< m_i m_j/(m_i + m_j)
-  Vec3<Real> relativeVelocity;  ///< v_i - v_j (distance/time)
-  Vec3<Real> surfaceSpin;       ///< R_i omega_i + R_j omega_j (distance/time)
-};
-
-template <class Real>
-struct ContactForce {
-  Vec3<Real> force;   ///< on the grain
-  Vec3<Real> couple;  ///< n x F_t: the grain's torque is -R couple
-};
-
 /// \param spring tangential spring, read and written by TangentialModel::Spring only (distance)
 /// \param dt     time step, 0 when the springs must not advance (LAMMPS' setup)
 template <NormalModel normal, TangentialModel tangential, class Real>
@@ -84,7 +61,8 @@ GPUDEM_HD ContactForce<Real> springDashpot(const LawCoefficients<Real> &law, con
 
   ContactForce<Real> out;
   out.force = c.branch * push;
-  out.couple = {Real(0), Real(0), Real(0)};
+  out.couple = out.moment = {Real(0), Real(0), Real(0)};
+  out.shorter = Real(0);
   if (tangential == TangentialModel::None) return out;
 
   const Vec3<Real> slip =

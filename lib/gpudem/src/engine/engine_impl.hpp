@@ -4,6 +4,8 @@
 #pragma once
 
 #include "base/buffer.hpp"
+#include "contact/derive.hpp"
+#include "contact/scene_laws.hpp"
 #include "engine/transfer.hpp"
 #include "gpudem/engine.h"
 #include "neighbor/layout.hpp"
@@ -82,6 +84,12 @@ class EngineImpl final : public Engine {
   void launchContacts(const StepView<P> &v, StepMode mode);
   template <StepMode mode>
   void launchContactsIn(const StepView<P> &v);
+  template <class Law, StepMode mode>
+  void launchLaw(const StepView<P> &v);
+  template <class Law, StepMode mode, WallUse walls>
+  void launchLawAndWalls(const StepView<P> &v);
+  void setLaws();
+  void attachWalls(WallView<Real> *wall, std::int64_t step);
   void requireRows(const char *what) const;
   void throwBroken(std::uint32_t particle, std::int64_t step);
   void collectObservables(const Recording &record);
@@ -101,6 +109,10 @@ class EngineImpl final : public Engine {
   Exec exec_;
   Precision precision_;
   SceneSpec scene_;
+  HistoryLayout layout_;  ///< of what a contact keeps
+  bool keepsContacts_ = false;
+  double pullOffGap_ = 0.0;  ///< largest gap across which grains pull on each other (distance)
+  int commonModel_[modelSlots] = {};
   Roles roles_;
   Box box_;
   CellGrid grid_{};
@@ -132,8 +144,11 @@ class EngineImpl final : public Engine {
   Array<std::uint8_t> typeTable_{"type exclusions"};
   Array<unsigned char> staging_{"staging"};
   Array<Status> status_{"status"};
-  std::vector<Array<Vec3<Real>>> wallSpring_, termBefore_;
-  std::vector<Array<Real>> wallContacts_, drag_;
+  Array<ModelCoefficients<Real>> models_{"contact laws"};  ///< of the type pairs, then of the walls
+  std::vector<int> wallSize_;                              ///< numbers kept per grain and wall
+  std::vector<Array<Vec3<Real>>> termBefore_;
+  std::vector<Array<Real>> wallHistory_, wallContacts_, drag_;
+  Array<Real> blockScratch_{"scratch (4)"};
   std::conditional_t<Exec::onGpu, RowTable<Exec, P>, PairTable<Exec, P>> table_;
 };
 

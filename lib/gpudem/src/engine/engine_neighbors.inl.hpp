@@ -49,8 +49,9 @@ void EngineImpl<Exec, P>::extractSprings()
   const std::uint64_t total = exec_.exclusiveScan(uintScratch_.data(), storeOffset_.data(), count_);
   if (total >> 32) throw Error(fmt::format("{} contacts exceed the 32-bit index of the contact store", total));
   storePartner_.reserveWithSlack(total);
-  storeSpring_.reserveWithSlack(3 * total);
-  table_.extractSprings(exec_, count_, tag_.data(), storeOffset_.data(), storePartner_.data(), storeSpring_.data());
+  storeSpring_.reserveWithSlack(static_cast<std::size_t>(layout_.size) * total);
+  table_.extractSprings(exec_, count_, tag_.data(), storeOffset_.data(), layout_.mirror, storePartner_.data(),
+                        storeSpring_.data());
 }
 
 template <class Exec, class P>
@@ -63,7 +64,7 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
     rowsValid_ = true;
     return;
   }
-  const CellGrid fresh = chooseGrid(box, reachOf(scene_), count_);
+  const CellGrid fresh = chooseGrid(box, reachOf(scene_, pullOffGap_), count_);
   bool fits = true;
   for (int d = 0; d < 3; ++d) fits = fits && fresh.size[d] * 2.0 <= frame_.window[d];
   if (!fits) reframe(chooseFrame(box, fresh));
@@ -86,7 +87,7 @@ void EngineImpl<Exec, P>::reframe(const Frame &frame)
 template <class Exec, class P>
 void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
 {
-  if (scene_.pair.hasHistory() && !storeFresh_) extractSprings();
+  if (keepsContacts_ && !storeFresh_) extractSprings();
 
   key_.reserve(count_);
   order_.reserve(count_);
@@ -110,8 +111,13 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
     permute(force_, vecScratch_);
     permute(torque_, vecScratch_);
   }
-  for (auto &spring : wallSpring_)
-    if (spring.capacity()) permute(spring, vecScratch_);
+  for (std::size_t w = 0; w < wallSize_.size(); ++w) {
+    if (!wallSize_[w]) continue;
+    blockScratch_.reserve(wallHistory_[w].capacity());
+    exec_.forEach(count_,
+                  GatherBlocks<Real>{wallSize_[w], order_.data(), wallHistory_[w].data(), blockScratch_.data()});
+    wallHistory_[w].swap(blockScratch_);
+  }
   if (origin_.capacity()) permute(origin_, originScratch_);
 
   buildTable();
@@ -140,7 +146,7 @@ void EngineImpl<Exec, P>::buildTable()
   v.grid = grid_;
   v.frame = frame_;
   v.skin = static_cast<float>(scene_.skin);
-  v.reachSlack = reachSlackOf(frame_);
+  v.reachSlack = reachSlackOf(frame_) + static_cast<float>(pullOffGap_);
   v.exclude.groups = static_cast<int>(scene_.exclusions.groups.size());
   for (int g = 0; g < v.exclude.groups; ++g) {
     v.exclude.groupA[g] = scene_.exclusions.groups[g].first;
@@ -149,8 +155,8 @@ void EngineImpl<Exec, P>::buildTable()
   v.exclude.typeTable = typeTable_.capacity() ? typeTable_.data() : nullptr;
   v.exclude.types = scene_.types;
 
-  const ContactStore<Real> store{storeOffset_.data(), storePartner_.data(), storeSpring_.data()};
-  table_.build(exec_, v, scene_.pair.hasHistory(), store, order_.data());
+  const ContactStore<Real> store{layout_.size, storeOffset_.data(), storePartner_.data(), storeSpring_.data()};
+  table_.build(exec_, v, keepsContacts_, store, order_.data());
   report_.entriesPerGrain = static_cast<double>(table_.entries()) / count_;
   report_.cells = cells;
 }
@@ -167,9 +173,12 @@ void EngineImpl<Exec, P>::setAnchors()
   s.rule = anchorRule_;
   s.skin = scene_.skin;
   s.walls = static_cast<int>(scene_.walls.size());
+  attachWalls(s.wall, 0);
   for (int w = 0; w < s.walls; ++w) {
     const WallSpec &spec = scene_.walls[w];
-    s.wall[w] = wallAt<Real>(spec, roles_, spec.stepOrigin, scene_.timestep, wallSpring_[w].data(), nullptr);
+    s.wall[w].lo = spec.lo;
+    s.wall[w].hi = spec.hi;
+    s.wallPull[w] = spec.model ? pullOffGap(*spec.model, scene_.largestRadius) : 0.0;
     const bool sweeps = spec.wiggle && spec.shape == WallShape::Plane && spec.axis == spec.motionAxis;
     s.wallLoReach[w] = sweeps ? std::min(0.0, 2.0 * spec.amplitude) : 0.0;
     s.wallHiReach[w] = sweeps ? std::max(0.0, 2.0 * spec.amplitude) : 0.0;

@@ -27,12 +27,15 @@ void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
   scene_ = scene;
   rowsValid_ = false;
   setRoles();
+  setLaws();
 
-  wallSpring_.clear();
+  wallHistory_.clear();
   wallContacts_.clear();
-  for (std::size_t w = 0; w < scene.walls.size(); ++w) {
-    wallSpring_.emplace_back("springs of a wall");
+  wallSize_.clear();
+  for (const WallSpec &wall : scene.walls) {
+    wallHistory_.emplace_back("springs of a wall");
     wallContacts_.emplace_back("contacts of a wall");
+    wallSize_.push_back(wallHistorySize(wall));
   }
   termBefore_.clear();
   drag_.clear();
@@ -52,6 +55,47 @@ void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
     for (const auto &[a, b] : scene.exclusions.types) table[a * n + b] = table[b * n + a] = 1;
     typeTable_.reserve(table.size());
     exec_.copyIn(typeTable_.data(), table.data(), table.size());
+  }
+}
+
+/// Coefficients of all product laws, and what follows from the laws for rows and reach.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::setLaws()
+{
+  const std::size_t pairs = scene_.pairModels.size(), types = static_cast<std::size_t>(scene_.types);
+  if (pairs != 0 && pairs != types * types)
+    throw Error(
+        fmt::format("{} contact laws were given for {} types; one per ordered pair of types is needed", pairs, types));
+  layout_ = pairLayout(scene_);
+  keepsContacts_ = keepsContacts(scene_);
+  pullOffGap_ = largestPullOffGap(scene_);
+  std::vector<ModelCoefficients<Real>> table;
+  for (const ContactModel &model : scene_.pairModels) table.push_back(coefficients<Real>(model));
+  for (int s = 0; s < modelSlots; ++s) {
+    commonModel_[s] = pairs ? table[0].model[s] : -1;
+    for (const ModelCoefficients<Real> &k : table)
+      if (k.model[s] != commonModel_[s]) commonModel_[s] = -1;
+  }
+  for (const WallSpec &wall : scene_.walls)
+    table.push_back(wall.model ? coefficients<Real>(*wall.model) : ModelCoefficients<Real>{});
+  models_.reserve(std::max<std::size_t>(1, table.size()));
+  exec_.copyIn(models_.data(), table.data(), table.size());
+}
+
+/// State of all walls at \p step with the arrays they write to.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::attachWalls(WallView<Real> *wall, std::int64_t step)
+{
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
+    const WallSpec &spec = scene_.walls[w];
+    wall[w] = wallAt<Real>(spec, roles_, step, scene_.timestep);
+    if (spec.model) {
+      wall[w].model = models_.data() + scene_.pairModels.size() + w;
+      wall[w].layout = layoutView(wallLayout(spec));
+      wall[w].flag = wallFlag(spec);
+    }
+    wall[w].historySize = wallSize_[w];
+    wall[w].history = wallSize_[w] ? wallHistory_[w].data() : nullptr;
   }
 }
 
@@ -82,11 +126,15 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   v.coarseUnit = frame_.unit32.template as<float>();
   const double units = std::ldexp(1.0, P::fine ? 64 : 40);
   v.perUnit = (frame_.inverse * units).template as<Real>();
-  v.reachSlack = reachSlackOf(frame_);
+  v.reachSlack = reachSlackOf(frame_) + static_cast<float>(pullOffGap_);
   const double widest = std::max(frame_.window.x, std::max(frame_.window.y, frame_.window.z));
   // two coordinates rounded to the unit (mixed), or to the 53 bits of the host's doubles
   v.touchMargin = 2.0 * std::ldexp(widest, P::fine ? -50 : roles_.fineMask() ? -39 : -31);
   v.law = coefficients<Real>(scene_.pair);
+  v.models = models_.data();
+  v.layout = layoutView(layout_);
+  v.types = scene_.types;
+  std::copy_n(commonModel_, modelSlots, v.commonModel);
   v.frozenRole = roles_.of(scene_.frozenMask);
   v.dt = static_cast<Real>(scene_.timestep);
   v.halfKick = scene_.halfKick;
@@ -104,8 +152,7 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
     o.dragPerType = drag_[k].data();
     o.before = nullptr;
   }
-  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
-    v.wall[w] = wallAt<Real>(scene_.walls[w], roles_, in.step, scene_.timestep, wallSpring_[w].data(), nullptr);
+  attachWalls(v.wall, in.step);
   v.integrators = static_cast<int>(scene_.integrators.size());
   for (int k = 0; k < v.integrators; ++k)
     v.integrator[k] = integratorAt(scene_.integrators[k], roles_, coming, scene_.timestep, scene_.halfKick);
@@ -119,37 +166,43 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
 }
 
 template <class Exec, class P>
+template <class Law, StepMode mode, WallUse walls>
+void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
+{
+  if constexpr (Exec::onGpu) exec_.forEach(count_, ContactStep<P, Law, mode, walls, RowTable<Exec, P>::W>{v});
+  else exec_.forEachChunk(chunksOf(count_, grainsPerChunk), ContactChunk<P, Law, mode, walls>{v, table_.view()});
+}
+
+template <class Exec, class P>
+template <class Law, StepMode mode>
+void EngineImpl<Exec, P>::launchLaw(const StepView<P> &v)
+{
+  const auto hasModel = [](const WallSpec &wall) { return wall.model.has_value(); };
+  if (scene_.walls.empty()) return launchLawAndWalls<Law, mode, WallUse::None>(v);
+  // a product's kernel is large anyway: it holds all wall code
+  if (Law::moments || std::any_of(scene_.walls.begin(), scene_.walls.end(), hasModel))
+    return launchLawAndWalls<Law, mode, WallUse::Any>(v);
+  if constexpr (!Law::moments) launchLawAndWalls<Law, mode, WallUse::Classic>(v);
+}
+
+template <class Exec, class P>
 template <StepMode mode>
 void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
 {
   using N = NormalModel;
   using T = TangentialModel;
-  const auto launch = [&](auto normal, auto tangential) {
-    constexpr N n = decltype(normal)::value;
-    constexpr T t = decltype(tangential)::value;
-    const bool walls = !scene_.walls.empty();
-    if constexpr (Exec::onGpu) {
-      constexpr int W = RowTable<Exec, P>::W;
-      if (walls) exec_.forEach(count_, ContactStep<P, n, t, mode, true, W>{v});
-      else exec_.forEach(count_, ContactStep<P, n, t, mode, false, W>{v});
-    } else {
-      const std::uint32_t chunks = chunksOf(count_, grainsPerChunk);
-      if (walls) exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, true>{v, table_.view()});
-      else exec_.forEachChunk(chunks, ContactChunk<P, n, t, mode, false>{v, table_.view()});
-    }
-  };
-  const std::integral_constant<N, N::Hooke> hooke;
-  const std::integral_constant<N, N::Hertz> hertz;
-  const std::integral_constant<T, T::Spring> spring;
+  if (!scene_.pairModels.empty()) return launchLaw<ModelLaw<AnyProduct>, mode>(v);
   if (scene_.pair.normal == N::Hertz) {
     if (scene_.pair.tangential != T::Spring) throw Error("a Hertz contact without tangential springs is not compiled");
-    launch(hertz, spring);
-  } else if (scene_.pair.tangential == T::Spring) {
-    launch(hooke, spring);
-  } else if (scene_.pair.tangential == T::Viscous) {
-    launch(hooke, std::integral_constant<T, T::Viscous>{});
-  } else {
-    launch(hooke, std::integral_constant<T, T::None>{});
+    return launchLaw<ClassicLaw<N::Hertz, T::Spring>, mode>(v);
+  }
+  switch (scene_.pair.tangential) {
+    case T::Spring:
+      return launchLaw<ClassicLaw<N::Hooke, T::Spring>, mode>(v);
+    case T::Viscous:
+      return launchLaw<ClassicLaw<N::Hooke, T::Viscous>, mode>(v);
+    case T::None:
+      return launchLaw<ClassicLaw<N::Hooke, T::None>, mode>(v);
   }
 }
 

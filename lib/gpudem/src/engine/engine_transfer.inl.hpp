@@ -24,7 +24,9 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   for (const auto *a : {&force_, &torque_, &vecScratch_}) add(*a);
   for (const auto *a : {&origin_, &originScratch_}) add(*a);
   for (const auto *a : {&storeSpring_, &virial_}) add(*a);
-  for (const auto &a : wallSpring_) add(a);
+  for (const auto &a : wallHistory_) add(a);
+  add(models_);
+  add(blockScratch_);
   for (const auto &a : termBefore_) add(a);
   for (const auto &a : wallContacts_) add(a);
   add(staging_);
@@ -40,10 +42,11 @@ std::size_t EngineImpl<Exec, P>::bytesPerGrain() const
   std::size_t b = 2 * (sizeof(CoarsePosition) + sizeof(Motion<Real>) + (P::fine ? sizeof(FinePosition) : 0));
   b += 15 * sizeof(std::uint32_t) + 3 * sizeof(Vec3<Real>);  // indices, flags, keys; forces, torques, scratch
   b += static_cast<std::size_t>(entries * sizeof(std::uint32_t));
-  if (scene_.pair.hasHistory())  // springs in the rows and, for some six contacts, in the store
-    b += static_cast<std::size_t>(entries * 3 * sizeof(Real)) + 6 * (3 * sizeof(Real) + sizeof(std::int32_t));
-  for (const WallSpec &wall : scene_.walls)
-    if (wall.law.hasHistory()) b += sizeof(Vec3<Real>);
+  if (keepsContacts_) {  // in the rows and, for some six contacts, in the store
+    const std::size_t numbers = static_cast<std::size_t>(layout_.size) * sizeof(Real);
+    b += static_cast<std::size_t>(entries * static_cast<double>(numbers)) + 6 * (numbers + sizeof(std::int32_t));
+  }
+  for (const int size : wallSize_) b += static_cast<std::size_t>(size) * sizeof(Real);
   return b;
 }
 
@@ -83,11 +86,11 @@ void EngineImpl<Exec, P>::reserveParticles()
   anchor_.reserve(n);
   force_.reserve(n);
   torque_.reserve(n);
-  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
-    if (scene_.walls[w].law.hasHistory()) {
-      wallSpring_[w].reserve(n);
-      exec_.fill(wallSpring_[w].data(), n, 0);
-    }
+  for (std::size_t w = 0; w < wallSize_.size(); ++w) {
+    if (!wallSize_[w]) continue;
+    wallHistory_[w].reserve(n * static_cast<std::size_t>(wallSize_[w]));
+    exec_.fill(wallHistory_[w].data(), n * static_cast<std::size_t>(wallSize_[w]), 0);
+  }
 }
 
 template <class Exec, class P>
@@ -116,14 +119,14 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
   rowsValid_ = false;
   queued_ = 0;
   resetStatus();
-  grid_ = chooseGrid(box, reachOf(scene_), count_);
+  grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_), count_);
   frame_ = chooseFrame(box, grid_);
   anchorRule_ = chooseAnchors(frame_, scene_.skin);
   for (int d = 0; d < 3; ++d) {
     const bool wraps = d == 0 ? grid_.wrapX : d == 1 ? grid_.wrapY : grid_.wrapZ;
-    if (wraps && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_))
+    if (wraps && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_))
       throw Error(fmt::format("the periodic box is {:g} long in {}, shorter than twice the interaction range {:g}",
-                              box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_)));
+                              box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_, pullOffGap_)));
   }
   explainMemory([&] { reserveParticles(); });
   if (count_) {
@@ -137,13 +140,16 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
     uploadFields(host, fieldMask | fieldShape | fieldKinetic | fieldForce | fieldTorque);
   }
   forceValid_ = host.force != nullptr;
-  storeFresh_ = scene_.pair.hasHistory();
+  storeFresh_ = keepsContacts_;
   if (storeFresh_) {
     const std::size_t contacts = history ? history->partner.size() : 0;
     storeOffset_.reserve(count_ + 1);
     storePartner_.reserveWithSlack(contacts);
-    storeSpring_.reserveWithSlack(3 * contacts);
+    storeSpring_.reserveWithSlack(static_cast<std::size_t>(layout_.size) * contacts);
     if (history) {
+      if (history->size != layout_.size)
+        throw Error(
+            fmt::format("contacts came with {} numbers each; the contact laws keep {}", history->size, layout_.size));
       const std::vector<Real> spring(history->spring.begin(), history->spring.end());
       exec_.copyIn(storeOffset_.data(), history->offset.data(), history->offset.size());
       exec_.copyIn(storePartner_.data(), history->partner.data(), contacts);
@@ -246,10 +252,12 @@ void EngineImpl<Exec, P>::downloadHalfStepVelocities(const HostParticles &host)
 template <class Exec, class P>
 void EngineImpl<Exec, P>::downloadHistory(ContactHistory &history)
 {
+  const auto size = static_cast<std::size_t>(layout_.size);
+  history.size = layout_.size;
   history.offset.assign(count_ + 1, 0);
   history.partner.clear();
   history.spring.clear();
-  if (!count_ || !scene_.pair.hasHistory()) return;
+  if (!count_ || !keepsContacts_) return;
   if (!storeFresh_) extractSprings();
 
   std::vector<std::uint32_t> offset(count_ + 1), host(count_);
@@ -257,19 +265,19 @@ void EngineImpl<Exec, P>::downloadHistory(ContactHistory &history)
   exec_.copyOut(host.data(), hostIndex_.data(), count_);
   const std::size_t contacts = offset[count_];
   std::vector<std::int32_t> partner(contacts);
-  std::vector<Real> spring(3 * contacts);
+  std::vector<Real> spring(size * contacts);
   exec_.copyOut(partner.data(), storePartner_.data(), contacts);
-  exec_.copyOut(spring.data(), storeSpring_.data(), 3 * contacts);
+  exec_.copyOut(spring.data(), storeSpring_.data(), size * contacts);
 
   for (std::uint32_t i = 0; i < count_; ++i) history.offset[host[i] + 1] = offset[i + 1] - offset[i];
   for (std::uint32_t h = 0; h < count_; ++h) history.offset[h + 1] += history.offset[h];
   history.partner.resize(contacts);
-  history.spring.resize(3 * contacts);
+  history.spring.resize(size * contacts);
   for (std::uint32_t i = 0; i < count_; ++i) {
     std::size_t to = history.offset[host[i]];
     for (std::size_t m = offset[i]; m < offset[i + 1]; ++m, ++to) {
       history.partner[to] = partner[m];
-      for (int d = 0; d < 3; ++d) history.spring[3 * to + d] = static_cast<double>(spring[3 * m + d]);
+      for (std::size_t d = 0; d < size; ++d) history.spring[size * to + d] = static_cast<double>(spring[size * m + d]);
     }
   }
 }
@@ -277,19 +285,20 @@ void EngineImpl<Exec, P>::downloadHistory(ContactHistory &history)
 template <class Exec, class P>
 void EngineImpl<Exec, P>::uploadWallHistory(int wall, const double *spring)
 {
-  if (!count_ || !wallSpring_[wall].capacity()) return;
-  exec_.forEach(count_,
-                ImportValues<Vec3<double>, Vec3<Real>>{stageIn(reinterpret_cast<const Vec3<double> *>(spring), count_),
-                                                       hostIndex_.data(), wallSpring_[wall].data()});
+  const int size = wallSize_[wall];
+  if (!count_ || !size) return;
+  const double *in = stageIn(spring, static_cast<std::size_t>(size) * count_);
+  exec_.forEach(count_, ImportBlocks<Real>{size, in, hostIndex_.data(), wallHistory_[wall].data()});
 }
 
 template <class Exec, class P>
 void EngineImpl<Exec, P>::downloadWallHistory(int wall, double *spring)
 {
-  if (!count_ || !wallSpring_[wall].capacity()) return;
-  Vec3<double> *out = stageOut<Vec3<double>>(count_);
-  exec_.forEach(count_, ExportValues<Vec3<Real>, Vec3<double>>{wallSpring_[wall].data(), hostIndex_.data(), out});
-  exec_.copyOut(reinterpret_cast<Vec3<double> *>(spring), out, count_);
+  const int size = wallSize_[wall];
+  if (!count_ || !size) return;
+  double *out = stageOut<double>(static_cast<std::size_t>(size) * count_);
+  exec_.forEach(count_, ExportBlocks<Real>{size, wallHistory_[wall].data(), hostIndex_.data(), out});
+  exec_.copyOut(spring, out, static_cast<std::size_t>(size) * count_);
 }
 
 template <class Exec, class P>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
 #include "engine/make_engine.hpp"
+
+#include "contact/scene_laws.hpp"
 #include "step/roles.hpp"
 
 namespace gpudem {
@@ -27,6 +29,16 @@ std::string gpuProblem()
   return "this build has no CUDA backend";
 }
 #endif
+
+HistoryLayout pairHistoryLayout(const SceneSpec &scene)
+{
+  return pairLayout(scene);
+}
+
+int wallHistorySize(const WallSpec &wall)
+{
+  return wallFlag(wall) + wallLayout(wall).size;
+}
 
 int coordinateBits(const SceneSpec &scene, Precision precision)
 {

@@ -164,6 +164,39 @@ struct ExportValues {
   GPUDEM_HD void operator()(std::uint32_t i) const { out[hostIndex[i]] = Convert<From, To>::value(in[i]); }
 };
 
+/// Blocks of \p size numbers per grain from host order.
+template <class Real>
+struct ImportBlocks {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  int size;
+  const double *in;
+  const std::uint32_t *hostIndex;
+  Real *out;
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    for (int d = 0; d < size; ++d)
+      out[static_cast<std::size_t>(size) * i + d] =
+          static_cast<Real>(in[static_cast<std::size_t>(size) * hostIndex[i] + d]);
+  }
+};
+/// Blocks of \p size numbers per grain to host order.
+template <class Real>
+struct ExportBlocks {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  int size;
+  const Real *in;
+  const std::uint32_t *hostIndex;
+  double *out;
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    for (int d = 0; d < size; ++d)
+      out[static_cast<std::size_t>(size) * hostIndex[i] + d] =
+          static_cast<double>(in[static_cast<std::size_t>(size) * i + d]);
+  }
+};
+
 /// Eight columns of device order to rows of host order.
 template <class Real>
 struct ExportContacts {

@@ -15,9 +15,10 @@
 namespace gpudem {
 
 /// Largest distance at which two grains are listed (distance).
-inline double reachOf(const SceneSpec &scene)
+/// \param pullOffGap gap across which grains in contact still pull on each other (distance)
+inline double reachOf(const SceneSpec &scene, double pullOffGap)
 {
-  return 2.0 * scene.largestRadius + scene.skin;
+  return 2.0 * scene.largestRadius + pullOffGap + scene.skin;
 }
 
 /// Cells of at least one reach. \p count bounds the number of cells to what the grains are worth.

@@ -22,8 +22,8 @@ struct PairChunk {
   std::vector<std::uint32_t> partner;  ///< device index
   std::vector<std::uint16_t> owner;    ///< grain within the chunk
   std::vector<std::uint16_t> mirror;   ///< the partner within the chunk, grainsPerChunk if it lies outside
-  std::vector<std::uint8_t> touching;  ///< 1: the pair holds a spring (history laws only)
-  std::vector<Real> spring;            ///< [pairs][3] tangential spring of the owner (distance)
+  std::vector<std::uint8_t> touching;  ///< 1: the pair is in contact (laws that keep something only)
+  std::vector<Real> spring;            ///< [pairs][size] what the contact keeps, as the owner sees it
 
   std::size_t size() const { return partner.size(); }
   std::size_t bytes() const
@@ -80,7 +80,7 @@ struct BuildPairs {
     for (const Apart &a : apart) list(a.i, a.j);
     if (history) {
       pairs.touching.resize(pairs.size(), 0);
-      pairs.spring.resize(3 * pairs.size(), Real(0));
+      pairs.spring.resize(store.size * pairs.size(), Real(0));
     }
   }
 
@@ -92,8 +92,8 @@ struct BuildPairs {
     std::uint32_t m = store.offset[oldIndex[i]];
     while (m < end && store.partner[m] != tag) ++m;
     pairs.touching.push_back(m < end ? 1 : 0);
-    for (std::size_t d = 0; d < 3; ++d)
-      pairs.spring.push_back(m < end ? store.spring[3 * static_cast<std::size_t>(m) + d] : Real(0));
+    const auto size = static_cast<std::size_t>(store.size);
+    for (std::size_t d = 0; d < size; ++d) pairs.spring.push_back(m < end ? store.spring[size * m + d] : Real(0));
   }
 };
 
@@ -120,6 +120,8 @@ struct CountPairSprings {
 template <class Real>
 struct ExtractPairSprings {
   const PairChunk<Real> *chunks;
+  std::size_t size;           ///< numbers per contact
+  const signed char *mirror;  ///< [size] sign of each number seen from the partner
   std::uint32_t count;
   const std::int32_t *tag;
   const std::uint32_t *offset;  ///< [n+1]
@@ -131,16 +133,18 @@ struct ExtractPairSprings {
     const std::uint32_t begin = c * grainsPerChunk, grains = std::min(grainsPerChunk, count - begin);
     std::uint32_t next[grainsPerChunk];
     for (std::uint32_t g = 0; g < grains; ++g) next[g] = offset[begin + g];
-    const auto put = [&](std::uint32_t g, std::int32_t other, const Real *s, Real sign) {
+    const auto put = [&](std::uint32_t g, std::int32_t other, const Real *s, bool mirrored) {
       const std::size_t to = next[g]++;
       partner[to] = other;
-      for (std::size_t d = 0; d < 3; ++d) spring[3 * to + d] = sign * s[d];
+      for (std::size_t d = 0; d < size; ++d)
+        spring[size * to + d] = mirrored ? static_cast<Real>(mirror[d]) * s[d] : s[d];
     };
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       if (!pairs.touching[k]) continue;
       const std::uint32_t g = pairs.owner[k], h = pairs.mirror[k];
-      put(g, tag[pairs.partner[k]], &pairs.spring[3 * k], Real(1));
-      if (h < grainsPerChunk) put(h, tag[begin + g], &pairs.spring[3 * k], Real(-1));
+      const Real *kept = pairs.spring.data() + size * k;
+      put(g, tag[pairs.partner[k]], kept, false);
+      if (h < grainsPerChunk) put(h, tag[begin + g], kept, true);
     }
   }
 };

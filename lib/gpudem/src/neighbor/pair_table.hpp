@@ -28,12 +28,14 @@ class PairTable {
     return b;
   }
 
-  void build(Exec &exec, const BuildView<P> &v, bool history, const ContactStore<Real> &store,
+  /// \param contacts the table remembers which pairs are in contact, with store.size numbers each
+  void build(Exec &exec, const BuildView<P> &v, bool contacts, const ContactStore<Real> &store,
              const std::uint32_t *oldIndex)
   {
+    size_ = store.size;
     const std::uint32_t chunks = chunksOf(v.count, grainsPerChunk);
     chunks_.resize(chunks);
-    if (history) exec.forEachChunk(chunks, BuildPairs<P, true>{v, store, oldIndex, chunks_.data()});
+    if (contacts) exec.forEachChunk(chunks, BuildPairs<P, true>{v, store, oldIndex, chunks_.data()});
     else exec.forEachChunk(chunks, BuildPairs<P, false>{v, store, oldIndex, chunks_.data()});
   }
 
@@ -42,14 +44,16 @@ class PairTable {
     exec.forEachChunk(chunksOf(count, grainsPerChunk), CountPairSprings<Real>{chunks_.data(), count, out});
   }
   void extractSprings(Exec &exec, std::uint32_t count, const std::int32_t *tag, const std::uint32_t *offset,
-                      std::int32_t *partner, Real *spring) const
+                      const std::vector<signed char> &mirror, std::int32_t *partner, Real *spring) const
   {
     exec.forEachChunk(chunksOf(count, grainsPerChunk),
-                      ExtractPairSprings<Real>{chunks_.data(), count, tag, offset, partner, spring});
+                      ExtractPairSprings<Real>{chunks_.data(), static_cast<std::size_t>(size_), mirror.data(), count,
+                                               tag, offset, partner, spring});
   }
 
  private:
   std::vector<PairChunk<Real>> chunks_;
+  int size_ = 0;  ///< numbers per contact
 };
 
 }  // namespace gpudem

@@ -125,6 +125,22 @@ struct Gather {
   GPUDEM_HD void operator()(std::uint32_t i) const { out[i] = in[from[i]]; }
 };
 
+/// The same for blocks of \p size numbers per grain.
+template <class T>
+struct GatherBlocks {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  int size;
+  const std::uint32_t *from;
+  const T *in;
+  T *out;
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    for (int d = 0; d < size; ++d)
+      out[static_cast<std::size_t>(size) * i + d] = in[static_cast<std::size_t>(size) * from[i] + d];
+  }
+};
+
 /// Quantised position and near-wall bit; springs of walls out of reach are forgotten.
 template <class P>
 struct SetAnchors {
@@ -141,6 +157,7 @@ struct SetAnchors {
   int walls;
   WallView<Real> wall[maxWalls];
   double wallLoReach[maxWalls], wallHiReach[maxWalls];  ///< how far a wiggling plane moves up and down
+  double wallPull[maxWalls];                            ///< gap across which the wall still pulls on a grain (distance)
   std::uint32_t *anchor;
 
   GPUDEM_HD void operator()(std::uint32_t i) const
@@ -153,11 +170,12 @@ struct SetAnchors {
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
       const std::uint32_t roles = motion[i].word;
       for (int w = 0; w < walls; ++w) {
-        if ((roles & wall[w].role) && within(w, x, p.radius + 0.5 * skin)) a |= nearWallBit;
+        if ((roles & wall[w].role) && within(w, x, p.radius + wallPull[w] + 0.5 * skin)) a |= nearWallBit;
       }
       if (!(a & nearWallBit))
         for (int w = 0; w < walls; ++w)
-          if (wall[w].spring) wall[w].spring[i] = {Real(0), Real(0), Real(0)};
+          for (int d = 0; wall[w].history && d < wall[w].historySize; ++d)
+            wall[w].history[static_cast<std::size_t>(wall[w].historySize) * i + d] = Real(0);
     }
     anchor[i] = a;
   }

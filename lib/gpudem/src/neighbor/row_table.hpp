@@ -29,9 +29,11 @@ class RowTable {
            neighbor_.bytes() + touch_.bytes() + spring_.bytes();
   }
 
-  void build(Exec &exec, const BuildView<P> &v, bool history, const ContactStore<Real> &store,
+  /// \param contacts the table remembers which pairs are in contact, with store.size numbers each
+  void build(Exec &exec, const BuildView<P> &v, bool contacts, const ContactStore<Real> &store,
              const std::uint32_t *oldIndex)
   {
+    size_ = store.size;
     const std::uint32_t slices = chunksOf(v.count, W);
     count_.reserve(v.count);
     sliceEntries_.reserve(slices);
@@ -44,12 +46,17 @@ class RowTable {
     const std::uint64_t words = exec.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices);
     if (entries_ >> 32) throw Error(fmt::format("{} neighbour entries exceed the 32-bit index of the rows", entries_));
     neighbor_.reserveWithSlack(entries_);
-    if (history) {
+    if (contacts) {
       touch_.reserveWithSlack(words);
-      spring_.reserveWithSlack(3 * entries_);
-      exec.forEach(v.count, fill<true>(v, store, oldIndex));
-    } else {
-      exec.forEach(v.count, fill<false>(v, store, oldIndex));
+      spring_.reserveWithSlack(size_ * entries_);
+    }
+    switch (keepingOf(contacts, size_)) {
+      case Keeping::Nothing:
+        return exec.forEach(v.count, fill<Keeping::Nothing>(v, store, oldIndex));
+      case Keeping::Springs:
+        return exec.forEach(v.count, fill<Keeping::Springs>(v, store, oldIndex));
+      case Keeping::Blocks:
+        return exec.forEach(v.count, fill<Keeping::Blocks>(v, store, oldIndex));
     }
   }
 
@@ -58,14 +65,16 @@ class RowTable {
     exec.forEach(count, CountSprings<Real, W>{view(), out});
   }
   void extractSprings(Exec &exec, std::uint32_t count, const std::int32_t *tag, const std::uint32_t *offset,
-                      std::int32_t *partner, Real *spring)
+                      const std::vector<signed char> &, std::int32_t *partner, Real *spring)
   {
-    exec.forEach(count, ExtractSprings<Real, W>{view(), tag, offset, partner, spring});
+    using K = Keeping;
+    if (size_ == 3) exec.forEach(count, ExtractSprings<Real, K::Springs, W>{view(), 3, tag, offset, partner, spring});
+    else exec.forEach(count, ExtractSprings<Real, K::Blocks, W>{view(), size_, tag, offset, partner, spring});
   }
 
  private:
-  template <bool history>
-  FillRows<P, history, W> fill(const BuildView<P> &v, const ContactStore<Real> &store, const std::uint32_t *oldIndex)
+  template <Keeping keeping>
+  FillRows<P, keeping, W> fill(const BuildView<P> &v, const ContactStore<Real> &store, const std::uint32_t *oldIndex)
   {
     return {v,     start_.data(), maskStart_.data(), count_.data(), neighbor_.data(), touch_.data(), spring_.data(),
             store, oldIndex};
@@ -77,6 +86,7 @@ class RowTable {
       start_{"row starts"}, maskStart_{"touch starts"}, neighbor_{"neighbour rows"}, touch_{"touch bits"};
   Array<Real> spring_{"tangential springs"};
   std::uint64_t entries_ = 0;
+  int size_ = 0;  ///< numbers per contact
 };
 
 }  // namespace gpudem

@@ -23,13 +23,26 @@ struct ExclusionView {
   }
 };
 
-/// Springs of all contacts as compressed rows in the order of the grains before a rebuild.
+/// What all contacts keep, as compressed rows in the order of the grains before a rebuild.
 template <class Real>
 struct ContactStore {
+  int size;                     ///< numbers per contact
   const std::uint32_t *offset;  ///< [n+1]
   const std::int32_t *partner;  ///< tag of the partner
-  const Real *spring;           ///< [contacts][3]
+  const Real *spring;           ///< [contacts][size]
 };
+
+/// Do the tables remember contacts? Springs alone have a size that the compiler knows.
+enum class Keeping { Nothing, Springs, Blocks };
+template <Keeping keeping>
+GPUDEM_HD int keptSize(int size)
+{
+  return keeping == Keeping::Springs ? 3 : size;
+}
+inline Keeping keepingOf(bool contacts, int size)
+{
+  return !contacts ? Keeping::Nothing : size == 3 ? Keeping::Springs : Keeping::Blocks;
+}
 
 template <class P>
 struct BuildView {
@@ -107,9 +120,10 @@ struct SliceWidths {
 };
 
 /// Write the rows, touching neighbours first, and put each carried spring into its entry.
-template <class P, bool history, int W>
+template <class P, Keeping keeping, int W>
 struct FillRows {
   using Real = typename P::Real;
+  static constexpr bool history = keeping != Keeping::Nothing;
   static constexpr int blockSize = 128;
   static constexpr int minimumBlocks = 4;
   BuildView<P> v;
@@ -150,8 +164,9 @@ struct FillRows {
   {
     for (std::uint32_t m = from; m < to; ++m) {
       if (store.partner[m] != tag) continue;
-      Real *slot = spring + 3 * static_cast<std::size_t>(base + k * W);
-      for (int d = 0; d < 3; ++d) slot[d] = store.spring[3 * static_cast<std::size_t>(m) + d];
+      const int size = keptSize<keeping>(store.size);
+      Real *slot = spring + size * static_cast<std::size_t>(base + k * W);
+      for (int d = 0; d < size; ++d) slot[d] = store.spring[size * static_cast<std::size_t>(m) + d];
       word[(k / 32) * W] |= 1u << (k % 32);
       return;
     }
@@ -176,11 +191,12 @@ struct CountSprings {
 };
 
 /// Copy the springs out of the rows.
-template <class Real, int W>
+template <class Real, Keeping keeping, int W>
 struct ExtractSprings {
   static constexpr int blockSize = 128;
   static constexpr int minimumBlocks = 1;
   RowView<Real> rows;
+  int storedSize;  ///< numbers per contact
   const std::int32_t *tag;
   const std::uint32_t *offset;
   std::int32_t *partner;
@@ -190,13 +206,14 @@ struct ExtractSprings {
     const std::uint32_t slice = i / W, lane = i % W;
     const std::uint32_t *word = rows.touch + rows.maskStart[slice] + lane;
     const std::uint32_t words = (rows.count[i] + 31) / 32;
+    const int size = keptSize<keeping>(storedSize);
     std::uint32_t to = offset[i];
     for (std::uint32_t w = 0; w < words; ++w)
       for (std::uint32_t bits = word[w * W]; bits; bits &= bits - 1) {
         const std::uint32_t k = w * 32 + static_cast<std::uint32_t>(lowestBit(bits));
         const std::size_t entry = rows.start[slice] + lane + static_cast<std::size_t>(k) * W;
         partner[to] = tag[rows.neighbor[entry]];
-        for (int d = 0; d < 3; ++d) spring[3 * static_cast<std::size_t>(to) + d] = rows.spring[3 * entry + d];
+        for (int d = 0; d < size; ++d) spring[size * static_cast<std::size_t>(to) + d] = rows.spring[size * entry + d];
         ++to;
       }
   }

@@ -16,7 +16,7 @@
 namespace gpudem {
 
 /// What follows the contact forces of grain \p i: force terms, then its motion or the record of the event.
-template <StepMode mode, bool walls, class P>
+template <StepMode mode, WallUse walls, class P>
 GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPosition &p, Motion<typename P::Real> &m,
                              Vec3<typename P::Real> force, Vec3<typename P::Real> torque,
                              const typename P::Real *virial)
@@ -66,7 +66,7 @@ GPUDEM_HD std::uint32_t touchCandidates(const StepView<P> &s, std::uint32_t base
   return bits;
 }
 
-template <class P, NormalModel normal, TangentialModel tangential, StepMode mode, bool walls, int W>
+template <class P, class Law, StepMode mode, WallUse walls, int W>
 struct ContactStep {
   using Real = typename P::Real;
   static constexpr int blockSize = 128;
@@ -100,10 +100,9 @@ struct ContactStep {
                        std::uint32_t bits, const Self<P> &self, Vec3<Real> &force, Vec3<Real> &torque,
                        Real *virial) const
   {
-    constexpr bool history = tangential == TangentialModel::Spring;
     std::uint32_t old = 0, now = 0;
     std::uint32_t *word = nullptr;
-    if (history) {
+    if (Law::keeps) {
       word = s.rows.touch + s.rows.maskStart[slice] + (first / 32u) * W + lane;
       old = *word;
     }
@@ -112,27 +111,26 @@ struct ContactStep {
       bits &= bits - 1;
       const std::uint32_t entry = base + (first + static_cast<std::uint32_t>(k)) * W;
       const std::uint32_t j = s.rows.neighbor[entry];
+      const std::uint32_t kind = Law::kind(s, self.index, j);
+      const bool held = Law::keeps && (old >> k & 1u);
       GatheredPair<Real> g;
-      if (!gatherPair(s, self, j, g)) continue;
-      Vec3<Real> spring{Real(0), Real(0), Real(0)};
+      if (!gatherPair<Law>(s, self, j, kind, held, g)) continue;
+      typename Law::template History<Real> kept{};
       Real *slot = nullptr;
-      if (history) {
-        slot = s.rows.spring + 3 * static_cast<std::size_t>(entry);
-        if (old >> k & 1u) spring = {slot[0], slot[1], slot[2]};
+      if (Law::keeps) {
+        slot = s.rows.spring + static_cast<std::size_t>(Law::historySize(s)) * entry;
+        if (held) kept = Law::load(s, slot);
         now |= 1u << k;
       }
-      const ContactForce<Real> f = springDashpot<normal, tangential>(s.law, toContact<normal>(g), spring, s.dt,
-                                                                     mode == StepMode::Fused || s.advanceSprings);
-      if (history) {
-        slot[0] = spring.x;
-        slot[1] = spring.y;
-        slot[2] = spring.z;
-      }
+      const ContactForce<Real> f = Law::evaluate(Law::coefficients(s, kind), toContact<Law>(g), kept, s.dt,
+                                                 mode == StepMode::Fused || s.advanceSprings);
+      if (Law::keeps) Law::store(s, kept, slot);
       force += f.force;
-      torque -= f.couple * g.radius;
+      torque -= f.couple * (Law::moments ? g.radius - f.shorter : g.radius);
+      if (Law::moments) torque += f.moment;
       if (mode == StepMode::Event && s.virial) addVirial(g.branch, f.force, virial);
     }
-    if (history && now != old) *word = now;
+    if (Law::keeps && now != old) *word = now;
   }
 };
 

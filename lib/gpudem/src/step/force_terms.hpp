@@ -8,9 +8,9 @@
 
 namespace gpudem {
 
-/// \param walls    false removes all wall code from the kernel
+/// \param walls    what of the wall code the kernel holds
 /// \param nearWall the grain was within reach of a wall when the rows were built
-template <bool walls, class P>
+template <WallUse walls, class P>
 GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const FixedPosition &p, bool nearWall,
                                Motion<typename P::Real> &m, Vec3<typename P::Real> &force,
                                Vec3<typename P::Real> &torque)
@@ -45,11 +45,12 @@ GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const Fixe
         m.vz = m.wx = m.wy = Real(0);
         break;
       case ForceTermKind::Wall:
-        if (walls && nearWall) {
+        if (walls != WallUse::None && nearWall) {
           const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame);
-          const ContactForce<Real> c = wallForce(s.wall[term.wall], i, s.count, x, p.radius, m, s.dt, s.advanceSprings);
+          const ContactForce<Real> c =
+              wallForce<walls>(s.wall[term.wall], i, s.count, x, p.radius, m, s.dt, s.advanceSprings);
           force += c.force;
-          torque -= c.couple * static_cast<Real>(p.radius);
+          torque += c.moment - c.couple * (static_cast<Real>(p.radius) - c.shorter);
         }
         break;
     }

@@ -18,7 +18,7 @@ bool movesInLanes(const StepView<P> &s)
   return plain;
 }
 
-template <class P, bool walls>
+template <class P, WallUse walls>
 class MotionChunk {
  public:
   using Real = typename P::Real;

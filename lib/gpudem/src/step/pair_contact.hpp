@@ -4,7 +4,7 @@
 /// computed for many contacts at once.
 #pragma once
 
-#include "step/step_view.hpp"
+#include "step/step_law.hpp"
 
 namespace gpudem {
 
@@ -18,6 +18,7 @@ struct GatheredPair {
   Real radius, radius2;         ///< R_i, R_j (distance)
   Vec3<Real> relativeVelocity;  ///< v_i - v_j
   Vec3<Real> surfaceSpin;       ///< R_i omega_i + R_j omega_j
+  Vec3<Real> spinDifference;    ///< omega_i - omega_j, filled for laws that take it
 };
 
 /// What a grain knows of itself while it visits its neighbours.
@@ -27,19 +28,21 @@ template <>
 struct Self<Mixed> {
   CoarsePosition coarse;
   Motion<float> motion;
+  std::uint32_t index;
 };
 template <>
 struct Self<Double> {
   FixedPosition position;
   Motion<double> motion;
+  std::uint32_t index;
 };
 GPUDEM_HD Self<Mixed> loadSelf(const StepView<Mixed> &s, std::uint32_t i)
 {
-  return {s.in.coarse[i], s.motionIn[i]};
+  return {s.in.coarse[i], s.motionIn[i], i};
 }
 GPUDEM_HD Self<Double> loadSelf(const StepView<Double> &s, std::uint32_t i)
 {
-  return {loadPosition(s.in, i), s.motionIn[i]};
+  return {loadPosition(s.in, i), s.motionIn[i], i};
 }
 
 /// Where two grains are to each other.
@@ -89,15 +92,22 @@ GPUDEM_HD Gap<double> gapTo(const StepView<Double> &s, const Self<Double> &self,
   return g;
 }
 
+/// \param kind of the pair's coefficients, and \param held whether the pair was in contact: read by laws whose contacts
+/// outlive touch
 /// \return false if the grains do not touch, or overlap by less than the coordinates resolve (grains placed exactly
 /// side by side, as on a lattice); the same from both sides
-template <class P>
-GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32_t j, GatheredPair<typename P::Real> &g)
+template <class Law, class P>
+GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32_t j, std::uint32_t kind, bool held,
+                          GatheredPair<typename P::Real> &g)
 {
   using Real = typename P::Real;
   const Motion<Real> &m = self.motion;
   const Gap<Real> gap = gapTo(s, self, j, P::fine ? 0u : s.motionIn[j].word);
-  const bool touches = gap.room2 > static_cast<double>(gap.reach) * s.touchMargin;
+  bool touches = gap.room2 > static_cast<double>(gap.reach) * s.touchMargin;
+  if (Law::beyondTouch && held) {
+    const Real apart = Law::gap(Law::coefficients(s, kind), gap.radius, gap.radius2);
+    touches = gap.room2 > -static_cast<double>(apart * (Real(2) * gap.reach + apart));
+  }
 #ifdef __CUDA_ARCH__
   if (!touches) return false;  // on the CPU a branch costs more than what it saves
 #endif
@@ -117,10 +127,11 @@ GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32
   g.relativeVelocity = {m.vx - o.vx, m.vy - o.vy, m.vz - o.vz};
   g.surfaceSpin = {symmetricSum(ri, m.wx, rj, o.wx), symmetricSum(ri, m.wy, rj, o.wy),
                    symmetricSum(ri, m.wz, rj, o.wz)};
+  if (Law::takesSpinDifference) g.spinDifference = {m.wx - o.wx, m.wy - o.wy, m.wz - o.wz};
   return touches;
 }
 
-template <NormalModel normal, class Real>
+template <class Law, class Real>
 GPUDEM_HD Contact<Real> toContact(const GatheredPair<Real> &g)
 {
   Contact<Real> c;
@@ -129,10 +140,11 @@ GPUDEM_HD Contact<Real> toContact(const GatheredPair<Real> &g)
   c.inverseDistance = inverseSquareRoot(distance2);
   c.distance = distance2 * c.inverseDistance;
   c.overlap = divide(g.room2, g.reach + c.distance);
-  c.effectiveRadius = normal == NormalModel::Hertz ? divide(g.radius * g.radius2, g.reach) : Real(0);
+  c.effectiveRadius = Law::takesRadius ? divide(g.radius * g.radius2, g.reach) : Real(0);
   c.effectiveMass = divide(g.massProduct, g.massSum);
   c.relativeVelocity = g.relativeVelocity;
   c.surfaceSpin = g.surfaceSpin;
+  c.spinDifference = g.spinDifference;
   return c;
 }
 

@@ -18,8 +18,7 @@ inline Vec3<double> toVec3(const Array3 &a)
 
 /// Wall at \p step: LAMMPS' wiggle is coord + A - A cos(w t), shear is a constant surface velocity.
 template <class Real>
-WallView<Real> wallAt(const WallSpec &spec, const Roles &roles, std::int64_t step, double dt, Vec3<Real> *spring,
-                      Real *contacts)
+WallView<Real> wallAt(const WallSpec &spec, const Roles &roles, std::int64_t step, double dt)
 {
   WallView<Real> v{};
   v.law = coefficients<Real>(spec.law);
@@ -32,8 +31,6 @@ WallView<Real> wallAt(const WallSpec &spec, const Roles &roles, std::int64_t ste
   v.radius = spec.radius;
   v.velocity = {0.0, 0.0, 0.0};
   v.role = roles.of(spec.groupMask);
-  v.spring = spring;
-  v.contacts = contacts;
   if (spec.wiggle) {
     const double phase = spec.angularFrequency * static_cast<double>(step - spec.stepOrigin) * dt;
     if (spec.shape == WallShape::Plane && spec.axis == spec.motionAxis) {

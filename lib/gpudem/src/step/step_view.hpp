@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/particle.hpp"
+#include "contact/layout.hpp"
 #include "contact/spring_dashpot.hpp"
 #include "neighbor/cell_grid.hpp"
 #include "gpudem/scene.h"
@@ -27,8 +28,8 @@ struct RowView {
   const std::uint32_t *maskStart;  ///< [slices] first touch word of the slice
   const std::uint32_t *count;      ///< [n] entries of the row
   const std::uint32_t *neighbor;   ///< [entries] device index
-  std::uint32_t *touch;            ///< [words] bit k: entry holds a spring (history laws only)
-  Real *spring;                    ///< [entries][3] tangential spring (distance)
+  std::uint32_t *touch;            ///< [words] bit k: entry is in contact (laws that keep something only)
+  Real *spring;                    ///< [entries][size] what the contact keeps
 };
 
 /// Displacement since the rows were built, from 10 bits per coordinate of the position at that time.
@@ -40,19 +41,30 @@ struct AnchorRule {
 };
 constexpr std::uint32_t nearWallBit = 1u << 30;
 
+/// Which wall code a kernel holds.
+enum class WallUse {
+  None,
+  Classic,  ///< laws of the gran/ styles
+  Any,      ///< these and products
+};
+
 /// State of a wall at the step being evaluated.
 template <class Real>
 struct WallView {
   LawCoefficients<Real> law;
   NormalModel normal;
   TangentialModel tangential;
+  const ModelCoefficients<Real> *model;  ///< product law, null: the law above
+  LayoutView layout;                     ///< of what the product law keeps
+  int flag;                              ///< 1: the numbers kept begin with the flag of adhesion
+  int historySize;                       ///< numbers kept per grain
   WallShape shape;
   int axis;
   double lo, hi, radius;   ///< current positions (distance)
   Vec3<double> velocity;   ///< of the surface (distance/time)
   double tangentialSpeed;  ///< of a turning cylinder (distance/time)
   std::uint32_t role;      ///< bits of Motion::word
-  Vec3<Real> *spring;      ///< [n], null without history
+  Real *history;           ///< [n][historySize], null if nothing is kept
   Real *contacts;          ///< [8][n], null unless recorded
 };
 
@@ -104,7 +116,11 @@ struct StepView {
   double touchMargin;  ///< twice the resolution of a distance: less overlap is no contact (distance)
 
   LawCoefficients<Real> law;
-  std::uint32_t frozenRole;  ///< bits of Motion::word
+  const ModelCoefficients<Real> *models;  ///< [types][types] product laws, or null
+  int commonModel[modelSlots];            ///< sub-model that all type pairs use, -1 if they differ
+  LayoutView layout;                      ///< of what a contact keeps
+  int types;                              ///< 1 if all types have the same law
+  std::uint32_t frozenRole;               ///< bits of Motion::word
   Real dt;
   double halfKick;
   bool advanceSprings;

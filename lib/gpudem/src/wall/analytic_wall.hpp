@@ -3,6 +3,7 @@
 /// \file Planes and the z cylinder of LAMMPS' fix wall/gran, as one contact per grain.
 #pragma once
 
+#include "contact/product.hpp"
 #include "step/step_view.hpp"
 
 namespace gpudem {
@@ -15,9 +16,10 @@ struct WallGap {
   Vec3<double> velocity;  ///< of the surface at the contact (distance/time)
 };
 
+/// \param reach radius, larger if an adhesive contact may outlive touch (distance)
 /// \return false when the grain does not touch. The nearer of two planes acts, as in LAMMPS.
 template <class Real>
-GPUDEM_HD bool wallGap(const WallView<Real> &wall, const Vec3<double> &x, double radius, WallGap &gap)
+GPUDEM_HD bool wallGap(const WallView<Real> &wall, const Vec3<double> &x, double reach, WallGap &gap)
 {
   gap.branch = {0.0, 0.0, 0.0};
   gap.curvature = 0.0;
@@ -28,33 +30,67 @@ GPUDEM_HD bool wallGap(const WallView<Real> &wall, const Vec3<double> &x, double
     const double signedDistance = above < below ? above : -below;
     gap.branch[wall.axis] = signedDistance;
     gap.distance = absolute(signedDistance);
-    return gap.distance <= radius;
+    return gap.distance <= reach;
   }
   const double rho = squareRoot(x.x * x.x + x.y * x.y);
   const double inward = wall.radius - rho;
-  if (inward > radius || rho == 0.0) return false;
+  if (inward > reach || rho == 0.0) return false;
   gap.branch = {-inward / rho * x.x, -inward / rho * x.y, 0.0};
   gap.distance = absolute(inward);
   gap.curvature = rho < wall.radius ? -2.0 * wall.radius : 2.0 * wall.radius;
   if (wall.tangentialSpeed != 0.0)
     gap.velocity = {wall.tangentialSpeed * x.y / rho, -wall.tangentialSpeed * x.x / rho, 0.0};
-  return gap.distance <= radius;
+  return gap.distance <= reach;
+}
+
+/// Law of the gran/ styles at a wall; what it keeps is updated in place.
+template <class Real>
+GPUDEM_HD ContactForce<Real> classicWallForce(const WallView<Real> &wall, const Contact<Real> &c, Real *kept, Real dt,
+                                              bool advance)
+{
+  Vec3<Real> spring{Real(0), Real(0), Real(0)};
+  if (kept) spring = {kept[0], kept[1], kept[2]};
+  const ContactForce<Real> f = springDashpot(wall.normal, wall.tangential, wall.law, c, spring, dt, advance);
+  if (kept) {
+    kept[0] = spring.x;
+    kept[1] = spring.y;
+    kept[2] = spring.z;
+  }
+  return f;
+}
+
+/// Product law at a wall; what it keeps is updated in place.
+template <class Real>
+GPUDEM_HD ContactForce<Real> modelWallForce(const WallView<Real> &wall, const Contact<Real> &c, Real *kept, Real dt,
+                                            bool advance)
+{
+  ModelHistory<Real> h{};
+  if (wall.flag) *kept++ = Real(1);
+  moveHistory<AnyProduct>(wall.layout, h, [&](Real &inRegister, int at) { inRegister = kept[at]; });
+  const ContactForce<Real> f = AnyProduct::evaluate(*wall.model, c, h, dt, advance);
+  moveHistory<AnyProduct>(wall.layout, h, [&](Real &inRegister, int at) { kept[at] = inRegister; });
+  return f;
 }
 
 /// Force of one wall on grain \p i; springs and recorded contacts are updated in place.
-template <class Real>
+template <WallUse use, class Real>
 GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t i, std::uint32_t count,
                                        const Vec3<double> &x, double radius, const Motion<Real> &m, Real dt,
                                        bool advance)
 {
   WallGap gap;
-  const bool touches = wallGap(wall, x, radius, gap);
+  Real *kept = wall.history ? wall.history + static_cast<std::size_t>(wall.historySize) * i : nullptr;
+  double reach = radius;
+  if (use == WallUse::Any && wall.flag && kept[0] != Real(0))
+    reach += static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(radius)));
+  const bool touches = wallGap(wall, x, reach, gap);
   ContactForce<Real> result{};
   if (!touches) {
-    if (wall.spring) wall.spring[i] = {Real(0), Real(0), Real(0)};
+    if (kept)
+      for (int d = 0; d < wall.historySize; ++d) kept[d] = Real(0);
     return result;
   }
-  Contact<Real> c;
+  Contact<Real> c{};
   c.branch = gap.branch.template as<Real>();
   c.distance = static_cast<Real>(gap.distance);
   c.inverseDistance = static_cast<Real>(1.0 / gap.distance);
@@ -64,10 +100,9 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   c.effectiveMass = m.mass;
   c.relativeVelocity = Vec3<Real>{m.vx, m.vy, m.vz} - gap.velocity.template as<Real>();
   c.surfaceSpin = Vec3<Real>{m.wx, m.wy, m.wz} * static_cast<Real>(radius);
-  Vec3<Real> spring{Real(0), Real(0), Real(0)};
-  if (wall.spring) spring = wall.spring[i];
-  result = springDashpot(wall.normal, wall.tangential, wall.law, c, spring, dt, advance);
-  if (wall.spring) wall.spring[i] = spring;
+  c.spinDifference = {m.wx, m.wy, m.wz};
+  result = use == WallUse::Any && wall.model ? modelWallForce(wall, c, kept, dt, advance)
+                                             : classicWallForce(wall, c, kept, dt, advance);
   if (wall.contacts) {
     const Vec3<double> at = x - gap.branch;
     const Real column[8] = {Real(1),

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file What the contact laws of a scene keep and how far they reach. Host code.
+#pragma once
+
+#include "gpudem/scene.h"
+
+#include <algorithm>
+
+namespace gpudem {
+
+/// Layout of a law of LAMMPS' gran/ styles: the tangential spring or nothing.
+inline HistoryLayout historyLayout(const ContactLaw &law)
+{
+  HistoryLayout layout;
+  if (!law.hasHistory()) return layout;
+  layout.size = layout.length[static_cast<int>(ModelSlot::Tangential)] = 3;
+  layout.mirror.assign(3, -1);
+  return layout;
+}
+
+/// Numbers that the pairs of a scene keep per contact.
+inline HistoryLayout pairLayout(const SceneSpec &scene)
+{
+  return scene.pairModels.empty() ? historyLayout(scene.pair) : historyLayout(scene.pairModels);
+}
+
+/// Do contacts outlive touch?
+inline bool pairsReachBeyond(const SceneSpec &scene)
+{
+  return std::any_of(scene.pairModels.begin(), scene.pairModels.end(), reachesBeyondTouch);
+}
+
+/// Must the pairs remember which contacts there are?
+inline bool keepsContacts(const SceneSpec &scene)
+{
+  return pairLayout(scene).size > 0 || pairsReachBeyond(scene);
+}
+
+/// Largest gap across which two grains of the scene pull on each other (distance).
+inline double largestPullOffGap(const SceneSpec &scene)
+{
+  double gap = 0.0;
+  for (const ContactModel &model : scene.pairModels) gap = std::max(gap, pullOffGap(model, 0.5 * scene.largestRadius));
+  return gap;
+}
+
+/// Numbers that a wall keeps per grain, without the flag of adhesion.
+inline HistoryLayout wallLayout(const WallSpec &wall)
+{
+  return wall.model ? historyLayout(std::vector<ContactModel>{*wall.model}) : historyLayout(wall.law);
+}
+/// 1 if the wall's numbers begin with a flag that says whether the grain is in contact.
+inline int wallFlag(const WallSpec &wall)
+{
+  return wall.model && reachesBeyondTouch(*wall.model) ? 1 : 0;
+}
+
+}  // namespace gpudem

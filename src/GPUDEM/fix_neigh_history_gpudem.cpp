@@ -20,6 +20,14 @@ void FixNeighHistoryGpudem::post_constructor()
   style = utils::strdup("NEIGH_HISTORY");
 }
 
+void FixNeighHistoryGpudem::setPlaces(const std::vector<int> &places, const std::vector<signed char> &signs)
+{
+  if (!places.empty() && *std::max_element(places.begin(), places.end()) >= dnum)
+    error->all(FLERR, "The contact laws keep more numbers than when contact history was created; use a new pair_style");
+  place = places;
+  mirror = signs;
+}
+
 void FixNeighHistoryGpudem::pre_exchange()
 {
   if (!resident) FixNeighHistory::pre_exchange();
@@ -38,26 +46,27 @@ void FixNeighHistoryGpudem::write_restart(FILE *fp)
   FixNeighHistory::write_restart(fp);
 }
 
-/// Do both grains of the contact hold it, with opposite springs?
+/// What the partner holds of a contact, or null if it does not hold it or holds another spring.
 /// delete_atoms renumbers atoms but not the partners stored here, so that an entry may name the wrong grain.
-bool FixNeighHistoryGpudem::isMutual(int owner, int entry, const std::vector<int> &localOf) const
+const double *FixNeighHistoryGpudem::partnersCopy(int owner, int entry, const std::vector<int> &localOf) const
 {
   const tagint wanted = partner[owner][entry];
-  if (wanted < 0 || wanted >= static_cast<tagint>(localOf.size()) || localOf[wanted] < 0) return false;
+  if (wanted < 0 || wanted >= static_cast<tagint>(localOf.size()) || localOf[wanted] < 0) return nullptr;
   const int other = localOf[wanted];
-  const double *mine = valuepartner[owner] + 3 * entry;
+  const double *mine = valuepartner[owner] + dnum * entry;
   for (int k = 0; k < npartner[other]; ++k) {
     if (partner[other][k] != atom->tag[owner]) continue;
-    const double *theirs = valuepartner[other] + 3 * k;
+    const double *theirs = valuepartner[other] + dnum * k;
     double sum = 0.0, size = 0.0;
-    for (int d = 0; d < 3; ++d) {
-      sum += std::fabs(mine[d] + theirs[d]);
-      size += std::fabs(mine[d]) + std::fabs(theirs[d]);
+    for (std::size_t d = 0; d < place.size(); ++d) {
+      if (mirror[d] > 0) continue;  // stock LAMMPS keeps rolling and twisting numbers with the wrong sign
+      sum += std::fabs(mine[place[d]] + theirs[place[d]]);
+      size += std::fabs(mine[place[d]]) + std::fabs(theirs[place[d]]);
     }
     constexpr double roundOff = 1.0e-3;  // of single precision sums; the spring of another contact differs by its size
-    return sum <= roundOff * size;
+    return sum <= roundOff * size ? theirs : nullptr;
   }
-  return false;
+  return nullptr;
 }
 
 void FixNeighHistoryGpudem::exportTo(gpudem::ContactHistory &history) const
@@ -67,14 +76,19 @@ void FixNeighHistoryGpudem::exportTo(gpudem::ContactHistory &history) const
   const tagint largest = nlocal ? *std::max_element(tag, tag + nlocal) : 0;
   std::vector<int> localOf(static_cast<std::size_t>(largest) + 1, -1);
   for (int i = 0; i < nlocal; ++i) localOf[tag[i]] = i;
+  history.size = static_cast<int>(place.size());
   history.offset.assign(nlocal + 1, 0);
   history.partner.clear();
   history.spring.clear();
   for (int i = 0; i < nlocal; ++i) {
     for (int m = 0; m < npartner[i]; ++m) {
-      if (!isMutual(i, m, localOf)) continue;
+      const double *mine = valuepartner[i] + dnum * m, *theirs = partnersCopy(i, m, localOf);
+      if (!theirs) continue;
       history.partner.push_back(partner[i][m]);
-      history.spring.insert(history.spring.end(), valuepartner[i] + 3 * m, valuepartner[i] + 3 * m + 3);
+      // numbers that both see alike: stock LAMMPS gives the two copies opposite signs, so one grain must decide
+      const double *shared = tag[i] < partner[i][m] ? mine : theirs;
+      for (std::size_t d = 0; d < place.size(); ++d)
+        history.spring.push_back(mirror[d] > 0 ? shared[place[d]] : mine[place[d]]);
     }
     history.offset[i + 1] = static_cast<std::uint32_t>(history.partner.size());
   }
@@ -96,7 +110,10 @@ void FixNeighHistoryGpudem::importFrom(const gpudem::ContactHistory &history)
     if (!partner[i] || !valuepartner[i])
       error->one(FLERR, "Atom {} has {} contacts: raise 'neigh_modify one' above that", atom->tag[i], n);
     std::copy_n(history.partner.data() + first, n, partner[i]);
-    std::copy_n(history.spring.data() + 3 * first, 3 * n, valuepartner[i]);
+    std::fill_n(valuepartner[i], dnum * n, 0.0);
+    for (int m = 0; m < n; ++m)
+      for (std::size_t d = 0; d < place.size(); ++d)
+        valuepartner[i][dnum * m + place[d]] = history.spring[place.size() * (first + m) + d];
     maxpartner = std::max(maxpartner, n);
   }
   maxexchange = (dnum + 1) * maxpartner + 1;

@@ -23,6 +23,10 @@ class FixNeighHistoryGpudem : public FixNeighHistory {
   void post_neighbor() override;
   void write_restart(FILE *fp);
 
+  /// Which numbers of a contact the device keeps: number d lies at \p place[d] here and has the sign mirror[d] seen
+  /// from the partner. Without this call they are the three of a tangential spring.
+  void setPlaces(const std::vector<int> &place, const std::vector<signed char> &mirror);
+
   void exportTo(gpudem::ContactHistory &history) const;
   void importFrom(const gpudem::ContactHistory &history);
 
@@ -34,8 +38,10 @@ class FixNeighHistoryGpudem : public FixNeighHistory {
   void setSynchroniser(class VerletGpudem *owner) { synchroniser = owner; }
 
  private:
-  bool isMutual(int owner, int entry, const std::vector<int> &localOf) const;
+  const double *partnersCopy(int owner, int entry, const std::vector<int> &localOf) const;
 
+  std::vector<int> place{0, 1, 2};
+  std::vector<signed char> mirror{-1, -1, -1};
   bool resident = false;                       ///< per-atom lists are the only host copy
   class VerletGpudem *synchroniser = nullptr;  ///< set while the device holds the springs
 };

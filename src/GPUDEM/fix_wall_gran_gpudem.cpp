@@ -3,6 +3,9 @@
 #include "fix_wall_gran_gpudem.h"
 
 #include "atom.h"
+#include "error.h"
+#include "gpudem/engine.h"
+#include "memory.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,35 +18,62 @@ constexpr int zCylinder = 3, regionWall = 4;
 constexpr double absentWall = 1.0e20;
 }  // namespace
 
-FixWallGranGpudem::FixWallGranGpudem(LAMMPS *lmp, int narg, char **arg) : FixWallGran(lmp, narg, arg), word(arg[2])
+FixWallGranGpudem::FixWallGranGpudem(LAMMPS *lmp, int narg, char **arg)
+    : WallArguments(lmp, narg, arg), FixWallGran(lmp, WallArguments::count(), WallArguments::words()), word(arg[2])
 {
   forceTerm = true;
+  if (!model) return;
+  damping = normal_coeffs[1];
+  gpudem::WallSpec spec;
+  spec.model = model;
+  const int kept = gpudem::wallHistorySize(spec);
+  if (wallstyle == regionWall || kept == size_history) return;
+  size_history = kept;  // a sub-model that LAMMPS does not have
+  memory->destroy(history_one);
+  grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; ++i) std::fill_n(history_one[i], size_history, 0.0);
+}
+
+void FixWallGranGpudem::init()
+{
+  if (model) normal_coeffs[1] = damping;  // the stock style would apply its fit of damping tsuji again at every run
+  FixWallGran::init();
 }
 
 void FixWallGranGpudem::post_force(int vflag)
 {
-  if (!onDevice) FixWallGran::post_force(vflag);
+  if (onDevice) return;
+  if (!stockKnows)
+    error->all(FLERR,
+               "Fix wall/gran: a sub-model that LAMMPS does not have is in use, but this run is not resident (the log "
+               "says why); only the resident loop evaluates it");
+  FixWallGran::post_force(vflag);
 }
 
 ResidentVerdict FixWallGranGpudem::resident()
 {
-  if (pairstyle == GRANULAR) return ResidentVerdict::no("interaction style 'granular' runs on the host");
   if (wallstyle == regionWall) return ResidentVerdict::no("wall style 'region' runs on the host");
   if (fix_rigid) return ResidentVerdict::no("rigid bodies run on the host");
   return {};
 }
 
+void FixWallGranGpudem::describeLaw(gpudem::ContactLaw &law) const
+{
+  law.normal = pairstyle == HERTZ_HISTORY ? gpudem::NormalModel::Hertz : gpudem::NormalModel::Hooke;
+  law.tangential = pairstyle == HOOKE ? gpudem::TangentialModel::Viscous : gpudem::TangentialModel::Spring;
+  law.normalStiffness = kn;
+  law.tangentialStiffness = kt;
+  law.normalDamping = gamman;
+  law.tangentialDamping = gammat;
+  law.friction = xmu;
+  law.limitDamping = limit_damping != 0;
+}
+
 void FixWallGranGpudem::describe(gpudem::SceneSpec &scene)
 {
   gpudem::WallSpec w;
-  w.law.normal = pairstyle == HERTZ_HISTORY ? gpudem::NormalModel::Hertz : gpudem::NormalModel::Hooke;
-  w.law.tangential = pairstyle == HOOKE ? gpudem::TangentialModel::Viscous : gpudem::TangentialModel::Spring;
-  w.law.normalStiffness = kn;
-  w.law.tangentialStiffness = kt;
-  w.law.normalDamping = gamman;
-  w.law.tangentialDamping = gammat;
-  w.law.friction = xmu;
-  w.law.limitDamping = limit_damping != 0;
+  w.model = model;
+  if (!model) describeLaw(w.law);
   w.shape = wallstyle == zCylinder ? gpudem::WallShape::Cylinder : gpudem::WallShape::Plane;
   w.axis = wallstyle == zCylinder ? 2 : wallstyle;
   w.lo = lo <= -absentWall ? -std::numeric_limits<double>::infinity() : lo;
@@ -71,17 +101,17 @@ void FixWallGranGpudem::describe(gpudem::SceneSpec &scene)
   scene.terms.push_back(t);
 }
 
-void FixWallGranGpudem::exportSprings(std::vector<double> &spring) const
+void FixWallGranGpudem::exportHistory(std::vector<double> &history) const
 {
-  const int nlocal = atom->nlocal;
-  spring.assign(3 * static_cast<std::size_t>(nlocal), 0.0);
-  for (int i = 0; i < nlocal; ++i) std::copy_n(history_one[i], 3, spring.begin() + 3 * static_cast<std::size_t>(i));
+  const int nlocal = atom->nlocal, n = numbers();
+  history.assign(static_cast<std::size_t>(n) * nlocal, 0.0);
+  for (int i = 0; i < nlocal; ++i) std::copy_n(history_one[i], n, history.begin() + static_cast<std::size_t>(n) * i);
 }
 
-void FixWallGranGpudem::importSprings(const std::vector<double> &spring)
+void FixWallGranGpudem::importHistory(const std::vector<double> &history)
 {
-  const int nlocal = atom->nlocal;
-  for (int i = 0; i < nlocal; ++i) std::copy_n(spring.begin() + 3 * static_cast<std::size_t>(i), 3, history_one[i]);
+  const int nlocal = atom->nlocal, n = numbers();
+  for (int i = 0; i < nlocal; ++i) std::copy_n(history.begin() + static_cast<std::size_t>(n) * i, n, history_one[i]);
 }
 
 void FixWallGranGpudem::importContacts(const std::vector<double> &columns)

@@ -20,6 +20,7 @@
 #include "pair_gran_hertz_history_gpudem.h"
 #include "pair_gran_hooke_gpudem.h"
 #include "pair_gran_hooke_history_gpudem.h"
+#include "pair_granular_gpudem.h"
 #include "verlet_gpudem.h"
 
 #include "error.h"
@@ -69,6 +70,7 @@ void registerStyles(LAMMPS *lmp)
   pairs["gran/hooke/gpudem"] = &makePair<PairGranHookeGpudem>;
   pairs["gran/hooke/history/gpudem"] = &makePair<PairGranHookeHistoryGpudem>;
   pairs["gran/hertz/history/gpudem"] = &makePair<PairGranHertzHistoryGpudem>;
+  pairs["granular/gpudem"] = &makePair<PairGranularGpudem>;
 
   auto &fixes = *lmp->modify->fix_map;
   fixes["NEIGH_HISTORY/gpudem"] = &makeFix<FixNeighHistoryGpudem>;

@@ -46,7 +46,7 @@ int wholeNumber(const std::string &keyword, const std::string &value, int least)
 
 std::string GpudemSettings::keywords()
 {
-  return "device, precision, threads, info";
+  return "device, precision, threads, conventions, info";
 }
 
 bool GpudemSettings::set(const std::string &keyword, const std::string &value)
@@ -54,6 +54,7 @@ bool GpudemSettings::set(const std::string &keyword, const std::string &value)
   if (keyword == "device") device = oneOf(keyword, value, {"auto", "gpu", "cpu"});
   else if (keyword == "precision") precision = oneOf(keyword, value, {"double", "mixed"});
   else if (keyword == "threads") threads = value == "auto" ? 0 : wholeNumber(keyword, value, 1);
+  else if (keyword == "conventions") conventions = oneOf(keyword, value, {"corrected", "lammps"});
   else if (keyword == "info") verbose = oneOf(keyword, value, {"yes", "no"}) == "yes";
   else return false;
   ++version;

@@ -10,11 +10,12 @@ namespace LAMMPS_NS {
 class LAMMPS;
 
 struct GpudemSettings {
-  std::string device = "auto";      ///< auto, gpu, cpu
-  std::string precision = "mixed";  ///< mixed, double
-  int threads = 0;                  ///< CPU threads, 0 = automatic
-  bool verbose = true;              ///< print the block of choices at the start of a run
-  int version = 0;                  ///< counts changes, so that an engine knows when it is out of date
+  std::string device = "auto";            ///< auto, gpu, cpu
+  std::string precision = "mixed";        ///< mixed, double
+  std::string conventions = "corrected";  ///< corrected; lammps: where LAMMPS 29 Sep 2021 is wrong, so are we
+  int threads = 0;                        ///< CPU threads, 0 = automatic
+  bool verbose = true;                    ///< print the block of choices at the start of a run
+  int version = 0;                        ///< counts changes, so that an engine knows when it is out of date
 
   /// Apply one keyword. \return false if the keyword is unknown
   /// \throws std::invalid_argument naming the value and the choices

@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The GPUDEM developers
 #include "lammps_compat.h"
 
+#include "pair_granular.h"
+
 using namespace LAMMPS_NS;
 
 // Explicit instantiation may name private members ([temp.spec.general] of the C++ standard), which is how a
@@ -25,6 +27,23 @@ GPUDEM_EXPOSE(ThermoFixes, Thermo, Fix **, fixes);
 GPUDEM_EXPOSE(ThermoVariableCount, Thermo, int, nvariable);
 GPUDEM_EXPOSE(ThermoVariables, Thermo, char **, id_variable);
 GPUDEM_EXPOSE(VariableData, Variable, char ***, data);
+GPUDEM_EXPOSE(GranularNormalModel, PairGranular, int **, normal_model);
+GPUDEM_EXPOSE(GranularDampingModel, PairGranular, int **, damping_model);
+GPUDEM_EXPOSE(GranularTangentialModel, PairGranular, int **, tangential_model);
+GPUDEM_EXPOSE(GranularRollModel, PairGranular, int **, roll_model);
+GPUDEM_EXPOSE(GranularTwistModel, PairGranular, int **, twist_model);
+GPUDEM_EXPOSE(GranularLimitDamping, PairGranular, int **, limit_damping);
+GPUDEM_EXPOSE(GranularYoung, PairGranular, double **, Emod);
+GPUDEM_EXPOSE(GranularPoisson, PairGranular, double **, poiss);
+GPUDEM_EXPOSE(GranularNormal, PairGranular, double ***, normal_coeffs);
+GPUDEM_EXPOSE(GranularTangential, PairGranular, double ***, tangential_coeffs);
+GPUDEM_EXPOSE(GranularRoll, PairGranular, double ***, roll_coeffs);
+GPUDEM_EXPOSE(GranularTwist, PairGranular, double ***, twist_coeffs);
+GPUDEM_EXPOSE(GranularCutoff, PairGranular, double **, cutoff_type);
+GPUDEM_EXPOSE(GranularNormalHistory, PairGranular, int, normal_history);
+GPUDEM_EXPOSE(GranularTangentialHistory, PairGranular, int, tangential_history);
+GPUDEM_EXPOSE(GranularRollHistory, PairGranular, int, roll_history);
+GPUDEM_EXPOSE(GranularTwistHistory, PairGranular, int, twist_history);
 #undef GPUDEM_EXPOSE
 }  // namespace
 
@@ -44,4 +63,29 @@ std::string GpudemCompat::equalFormula(Variable *variable, int index)
   if (!variable->equalstyle(index) || variable->internalstyle(index)) return "";
   char **data = (variable->*reach(VariableData{}))[index];
   return data && data[0] ? data[0] : "";
+}
+
+GpudemCompat::GranularTables GpudemCompat::granularTables(PairGranular *pair)
+{
+  return {pair->*reach(GranularNormalModel{}),
+          pair->*reach(GranularDampingModel{}),
+          pair->*reach(GranularTangentialModel{}),
+          pair->*reach(GranularRollModel{}),
+          pair->*reach(GranularTwistModel{}),
+          pair->*reach(GranularLimitDamping{}),
+          pair->*reach(GranularYoung{}),
+          pair->*reach(GranularPoisson{}),
+          pair->*reach(GranularNormal{}),
+          pair->*reach(GranularTangential{}),
+          pair->*reach(GranularRoll{}),
+          pair->*reach(GranularTwist{}),
+          pair->*reach(GranularCutoff{})};
+}
+
+void GpudemCompat::setGranularHistory(PairGranular *pair, bool tangential, bool roll, bool twist)
+{
+  pair->*reach(GranularNormalHistory{}) = 0;
+  pair->*reach(GranularTangentialHistory{}) = tangential;
+  pair->*reach(GranularRollHistory{}) = roll;
+  pair->*reach(GranularTwistHistory{}) = twist;
 }

@@ -24,6 +24,7 @@
 namespace LAMMPS_NS {
 class Compute;
 class Fix;
+class PairGranular;
 
 namespace GpudemCompat {
 
@@ -34,6 +35,17 @@ struct ThermoInputs {
   std::vector<std::string> variables;
 };
 ThermoInputs thermoInputs(Thermo *thermo);
+
+/// Coefficients of pair_style granular by type pair, which LAMMPS keeps private.
+struct GranularTables {
+  int **normalModel, **dampingModel, **tangentialModel, **rollModel, **twistModel, **limitDamping;
+  double **young, **poisson;
+  double ***normal, ***tangential, ***roll, ***twist;
+  double **cutoff;
+};
+GranularTables granularTables(PairGranular *pair);
+/// Which slots keep something, as pair_coeff would have found.
+void setGranularHistory(PairGranular *pair, bool tangential, bool roll, bool twist);
 
 /// Formula of an equal-style variable, empty if \p index is of another style.
 std::string equalFormula(Variable *variable, int index);

@@ -47,7 +47,10 @@ class ResidentFix {
 class ResidentPair {
  public:
   virtual ~ResidentPair() = default;
-  virtual gpudem::ContactLaw law() const = 0;
+  /// Set the contact laws of the scene.
+  virtual void describeLaws(gpudem::SceneSpec &scene) const = 0;
+  /// Why the device cannot evaluate this style as it is set, empty if it can.
+  virtual std::string obstacle() const { return ""; }
   virtual unsigned frozenMask() const = 0;
   /// Largest radius present or announced by an insertion fix (distance).
   virtual double largestRadius() const = 0;

@@ -12,6 +12,7 @@
 #include "modify.h"
 #include "pair_gran_hooke_history.h"
 #include "resident.h"
+#include "resident_names.h"
 
 #include <algorithm>
 
@@ -28,9 +29,9 @@ class PairGranResident : public Stock, public ResidentPair {
 
   void init_style() { initStyle(); }
 
-  gpudem::ContactLaw law() const override
+  void describeLaws(gpudem::SceneSpec &scene) const override
   {
-    gpudem::ContactLaw law;
+    gpudem::ContactLaw &law = scene.pair;
     law.normal = normalModel;
     law.tangential = springs                                   ? gpudem::TangentialModel::Spring
                      : this->gammat == 0.0 || this->xmu == 0.0 ? gpudem::TangentialModel::None
@@ -41,7 +42,6 @@ class PairGranResident : public Stock, public ResidentPair {
     law.tangentialDamping = this->gammat;
     law.friction = this->xmu;
     law.limitDamping = this->limit_damping != 0;
-    return law;
   }
   unsigned frozenMask() const override { return static_cast<unsigned>(this->freeze_group_bit); }
   double largestRadius() const override
@@ -60,14 +60,7 @@ class PairGranResident : public Stock, public ResidentPair {
   /// Stock init_style(), after making sure that its history fix is ours and that ghosts carry velocities.
   void initStyle()
   {
-    // a restart file must name the stock style, or stock LAMMPS could not read it
-    std::string style = this->force->pair_style;
-    const std::string suffix = "/gpudem";
-    if (this->lmp->suffix_enable && this->force->pair == static_cast<Pair *>(this) && style.size() > suffix.size() &&
-        style.compare(style.size() - suffix.size(), suffix.size(), suffix) == 0) {
-      delete[] this->force->pair_style;
-      this->force->pair_style = utils::strdup(style.substr(0, style.size() - suffix.size()));
-    }
+    giveBackStockName(this->lmp, this);
     if (this->comm->ghost_velocity == 0) {
       if (this->comm->me == 0)
         this->error->warning(FLERR, "Granular pair styles need 'comm_modify vel yes'; GPUDEM turned it on");

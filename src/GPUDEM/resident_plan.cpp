@@ -6,6 +6,7 @@
 #include "fix_neigh_history_gpudem.h"
 #include "fix_wall_gran_gpudem.h"
 #include "formula.h"
+#include "gpudem/engine.h"
 #include "lammps_compat.h"
 #include "resident.h"
 
@@ -40,8 +41,9 @@ std::string obstacle(LAMMPS *lmp)
   if (lmp->comm->nprocs > 1) return "several MPI ranks share the box: this run uses LAMMPS' own loop on every rank";
   if (lmp->domain->triclinic) return "the box is triclinic";
   if (!force->pair) return "there is no pair style";
-  if (!dynamic_cast<ResidentPair *>(force->pair))
-    return fmt::format("pair style {} has no device version", force->pair_style);
+  const auto *pair = dynamic_cast<ResidentPair *>(force->pair);
+  if (!pair) return fmt::format("pair style {} has no device version", force->pair_style);
+  if (!pair->obstacle().empty()) return pair->obstacle();
   if (!force->pair->compute_flag) return "pair_modify compute no";
   if (strcmp(lmp->atom->atom_style, "sphere") != 0)
     return fmt::format("atom style {} is not sphere", lmp->atom->atom_style);
@@ -175,9 +177,10 @@ void checkLists(LAMMPS *lmp, ResidentPlan &plan)
 
 void describeSkipped(LAMMPS *lmp, ResidentPlan &plan)
 {
-  const gpudem::ContactLaw &law = plan.scene.pair;
-  if (law.tangential == gpudem::TangentialModel::None) plan.skipped.push_back("friction, torques");
-  if (!law.hasHistory()) plan.skipped.push_back("contact history");
+  const gpudem::SceneSpec &scene = plan.scene;
+  if (scene.pairModels.empty() && scene.pair.tangential == gpudem::TangentialModel::None)
+    plan.skipped.push_back("friction, torques");
+  if (gpudem::pairHistoryLayout(scene).size == 0) plan.skipped.push_back("contact history");
   if (plan.walls.empty()) plan.skipped.push_back("walls");
   if (plan.scene.terms.empty()) plan.skipped.push_back("force terms");
   if (!plan.scene.exclusions.any()) plan.skipped.push_back("exclusions");
@@ -195,16 +198,16 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
 
   plan.pair = dynamic_cast<ResidentPair *>(lmp->force->pair);
   gpudem::SceneSpec &scene = plan.scene;
-  scene.pair = plan.pair->law();
+  scene.types = lmp->atom->ntypes;
+  plan.pair->describeLaws(scene);
   scene.frozenMask = plan.pair->frozenMask();
   scene.timestep = lmp->update->dt;
   scene.halfKick = 0.5 * lmp->update->dt * lmp->force->ftm2v;
   scene.skin = lmp->neighbor->skin;
   scene.largestRadius = plan.pair->largestRadius();
-  scene.types = lmp->atom->ntypes;
   addExclusions(lmp, scene);
   classify(lmp, plan);
-  if (scene.pair.hasHistory() && !plan.history) {
+  if (gpudem::keepsContacts(scene) && !plan.history) {
     plan.reason = "the pair style's contact history is kept by a stock fix";
     return plan;
   }

@@ -104,8 +104,8 @@ void ResidentState::uploadAll(const ResidentPlan &plan)
   engine_->upload(host(), box(), plan.history ? &history : nullptr);
   std::vector<double> values;
   for (FixWallGranGpudem *wall : plan.walls) {
-    if (!wall->hasSprings()) continue;
-    wall->exportSprings(values);
+    if (!wall->numbers()) continue;
+    wall->exportHistory(values);
     engine_->uploadWallHistory(wall->wallIndex(), values.data());
   }
   if (!plan.moves.empty()) {
@@ -141,10 +141,10 @@ void ResidentState::downloadWalls(const ResidentPlan &plan)
 {
   std::vector<double> values;
   for (FixWallGranGpudem *wall : plan.walls) {
-    if (wall->hasSprings()) {
-      values.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
+    if (wall->numbers()) {
+      values.assign(static_cast<std::size_t>(wall->numbers()) * atom->nlocal, 0.0);
       engine_->downloadWallHistory(wall->wallIndex(), values.data());
-      wall->importSprings(values);
+      wall->importHistory(values);
     }
     if (wall->recordsContacts()) {
       values.assign(8 * static_cast<std::size_t>(atom->nlocal), 0.0);

@@ -21,7 +21,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
+
+namespace {
+/// "Hooke contacts, tangential springs", "hertz/material x tsuji x mindlin contacts", ...
+std::string describeLaws(const gpudem::SceneSpec &scene)
+{
+  if (scene.pairModels.empty()) {
+    const gpudem::ContactLaw &law = scene.pair;
+    return fmt::format("{} contacts, {}", law.normal == gpudem::NormalModel::Hertz ? "Hertz" : "Hooke",
+                       law.tangential == gpudem::TangentialModel::Spring    ? "tangential springs"
+                       : law.tangential == gpudem::TangentialModel::Viscous ? "viscous friction"
+                                                                            : "no friction");
+  }
+  std::vector<std::string> laws;
+  for (const gpudem::ContactModel &model : scene.pairModels) {
+    std::string law;
+    for (int s = 0; s < gpudem::modelSlots; ++s) {
+      const std::string &name = model.slot(static_cast<gpudem::ModelSlot>(s)).name;
+      if (name != "none") law += (law.empty() ? "" : " x ") + name;
+    }
+    if (std::find(laws.begin(), laws.end(), law) == laws.end()) laws.push_back(law);
+  }
+  return fmt::format("{} contacts", fmt::join(laws, ", "));
+}
+}  // namespace
 
 void VerletGpudem::enterResident()
 {
@@ -50,17 +76,11 @@ void VerletGpudem::printPlan()
   if (!plan.possible) {
     block = fmt::format("GPUDEM: not resident, LAMMPS' own loop runs: {}\n", plan.reason);
   } else {
-    const gpudem::ContactLaw &law = plan.scene.pair;
-    const char *tangential = law.tangential == gpudem::TangentialModel::Spring    ? "tangential springs"
-                             : law.tangential == gpudem::TangentialModel::Viscous ? "viscous friction"
-                                                                                  : "no friction";
     block = fmt::format(
-        "GPUDEM resident run\n  device    : {}\n  precision : {}, coordinates of {} bits\n  step      : {} contacts, "
-        "{}; "
-        "walls: {}, force terms: {}, integrators: {}\n",
+        "GPUDEM resident run\n  device    : {}\n  precision : {}, coordinates of {} bits\n  step      : {}; walls: {}, "
+        "force terms: {}, integrators: {}\n",
         state.engine().deviceName(), state.engine().precision() == gpudem::Precision::Double ? "double" : "mixed",
-        gpudem::coordinateBits(plan.scene, state.engine().precision()),
-        law.normal == gpudem::NormalModel::Hertz ? "Hertz" : "Hooke", tangential, plan.walls.size(),
+        gpudem::coordinateBits(plan.scene, state.engine().precision()), describeLaws(plan.scene), plan.walls.size(),
         plan.scene.terms.size() - plan.walls.size(), plan.scene.integrators.size());
     std::string skipped;
     for (const std::string &s : plan.skipped) skipped += (skipped.empty() ? "" : "; ") + s;

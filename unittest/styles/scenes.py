@@ -77,8 +77,9 @@ def head(boundary="p p p", dimension=3, read="read_data cloud.data"):
             f"units lj\natom_style sphere\nboundary {boundary}\nnewton off\ncomm_modify vel yes\n{read}\n")
 
 
-def middle(pair=HOOKE_HISTORY, skin=0.05, timestep=1.0e-4, neighbor="delay 0 every 1 check yes"):
-    return (f"pair_style {pair}\npair_coeff * *\nneighbor {skin} bin\nneigh_modify {neighbor}\n"
+def middle(pair=HOOKE_HISTORY, skin=0.05, timestep=1.0e-4, neighbor="delay 0 every 1 check yes", coeff=("* *",)):
+    coefficients = "".join(f"pair_coeff {c}\n" for c in coeff)
+    return (f"pair_style {pair}\n{coefficients}neighbor {skin} bin\nneigh_modify {neighbor}\n"
             f"timestep {timestep}\n")
 
 

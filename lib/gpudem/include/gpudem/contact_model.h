@@ -75,6 +75,9 @@ bool reachesBeyondTouch(const ContactModel &model);
 /// Largest gap at which two grains of effective radius \p effectiveRadius still pull on each other (distance).
 double pullOffGap(const ContactModel &model, double effectiveRadius);
 
+/// Coefficient of the normal dashpot as the damping sub-model uses it (its restitution turned into alpha, ...).
+double dampingCoefficient(const ContactModel &model);
+
 /// Moduli of a law whose normal sub-model names a material.
 struct ContactModuli {
   double young = 0;  ///< E* (force/area)

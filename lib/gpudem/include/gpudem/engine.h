@@ -179,6 +179,8 @@ std::unique_ptr<Engine> makeEngine(const EngineOptions &options);
 
 /// Numbers that a scene's pairs keep per contact.
 HistoryLayout pairHistoryLayout(const SceneSpec &scene);
+/// Must the pairs of a scene remember which contacts there are?
+bool keepsContacts(const SceneSpec &scene);
 /// Numbers that a wall keeps per grain, the flag included.
 int wallHistorySize(const WallSpec &wall);
 

@@ -245,6 +245,11 @@ bool reachesBeyondTouch(const ContactModel &model)
   return beyond;
 }
 
+double dampingCoefficient(const ContactModel &model)
+{
+  return deriveCoefficients(model).damping;
+}
+
 double pullOffGap(const ContactModel &model, double effectiveRadius)
 {
   return AnyNormal::gap(deriveCoefficients(model), effectiveRadius);

@@ -31,12 +31,6 @@ inline bool pairsReachBeyond(const SceneSpec &scene)
   return std::any_of(scene.pairModels.begin(), scene.pairModels.end(), reachesBeyondTouch);
 }
 
-/// Must the pairs remember which contacts there are?
-inline bool keepsContacts(const SceneSpec &scene)
-{
-  return pairLayout(scene).size > 0 || pairsReachBeyond(scene);
-}
-
 /// Largest gap across which two grains of the scene pull on each other (distance).
 inline double largestPullOffGap(const SceneSpec &scene)
 {

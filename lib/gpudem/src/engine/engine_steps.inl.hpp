@@ -133,6 +133,7 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   v.law = coefficients<Real>(scene_.pair);
   v.models = models_.data();
   v.layout = layoutView(layout_);
+  v.keeps = keepsContacts_;
   v.types = scene_.types;
   std::copy_n(commonModel_, modelSlots, v.commonModel);
   v.frozenRole = roles_.of(scene_.frozenMask);

@@ -35,6 +35,11 @@ HistoryLayout pairHistoryLayout(const SceneSpec &scene)
   return pairLayout(scene);
 }
 
+bool keepsContacts(const SceneSpec &scene)
+{
+  return pairLayout(scene).size > 0 || pairsReachBeyond(scene);
+}
+
 int wallHistorySize(const WallSpec &wall)
 {
   return wallFlag(wall) + wallLayout(wall).size;

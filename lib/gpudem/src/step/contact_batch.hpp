@@ -112,9 +112,9 @@ struct BatchLaw {
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) {
       Vec3<Real> spring{Real(0), Real(0), Real(0)};
-      if (Law::keeps) spring = {b.kept[0][n], b.kept[1][n], b.kept[2][n]};
+      if (Law::numbers) spring = {b.kept[0][n], b.kept[1][n], b.kept[2][n]};
       b.putForce(n, Law::evaluate(law, toContact<Law>(b.gathered(n)), spring, dt, advance));
-      if (Law::keeps) {
+      if (Law::numbers) {
         b.kept[0][n] = spring.x;
         b.kept[1][n] = spring.y;
         b.kept[2][n] = spring.z;

@@ -74,6 +74,7 @@ struct ContactChunk {
   /// The pairs first .. last - 1 that touch. Those that touched when the list was built are not tested first.
   void gather(std::uint32_t begin, std::uint32_t first, std::uint32_t last, PairChunk<Real> &pairs, Batch &b) const
   {
+    const bool keeps = Law::keeps(s);
     const std::uint32_t *partner = pairs.partner.data();
     const std::uint16_t *owner = pairs.owner.data();
     std::uint8_t *touching = pairs.touching.data();
@@ -91,17 +92,17 @@ struct ContactChunk {
       const bool near = mayTouch(coarse[begin + owner[k]], coarse[partner[k]], unit, slack);
       candidate[candidates] = k;
       candidates += near ? 1u : 0u;
-      if (Law::keeps) touching[k] &= near ? 1u : 0u;
+      if (keeps) touching[k] &= near ? 1u : 0u;
     }
     b.size = 0;
     for (std::uint32_t n = 0; n < candidates; ++n) {
       const std::uint32_t k = candidate[n], i = begin + owner[k], j = partner[k];
-      const bool held = Law::keeps && touching[k] != 0;
+      const bool held = keeps && touching[k] != 0;
       const std::uint32_t kind = Law::kind(s, i, j);
       GatheredPair<Real> g;
       const bool touches = gatherPair<Law>(s, loadSelf(s, i), j, kind, held, g);
       b.put(k, kind, g);
-      if (Law::keeps) {
+      if (keeps) {
         const int size = Law::historySize(s);
         const Real *slot = pairs.spring.data() + static_cast<std::size_t>(size) * k;
         for (int d = 0; d < size; ++d) {
@@ -123,11 +124,12 @@ struct ContactChunk {
     if (k >= pairs.front) return;
     if (P::fine) __builtin_prefetch(s.in.fine + j);
     __builtin_prefetch(s.motionIn + j);
-    if (Law::keeps) __builtin_prefetch(pairs.spring.data() + static_cast<std::size_t>(Law::historySize(s)) * k);
+    if (Law::keeps(s)) __builtin_prefetch(pairs.spring.data() + static_cast<std::size_t>(Law::historySize(s)) * k);
   }
 
   void scatter(PairChunk<Real> &pairs, const Batch &b, Sums &sums) const
   {
+    const bool keeps = Law::keeps(s);
     for (int n = 0; n < b.size; ++n) {
       const std::uint32_t k = b.pair[n], g = pairs.owner[k], h = pairs.mirror[k];
       const Real load[6] = {b.fx[n], b.fy[n], b.fz[n], b.cx[n], b.cy[n], b.cz[n]};
@@ -150,7 +152,7 @@ struct ContactChunk {
         other[d] -= load[d];
         other[3 + d] -= load[3 + d] * arm2;
       }
-      if (Law::keeps) {
+      if (keeps) {
         const int size = Law::historySize(s);
         Real *slot = pairs.spring.data() + static_cast<std::size_t>(size) * k;
         for (int d = 0; d < size; ++d) slot[d] = b.kept[d][n];

@@ -100,9 +100,10 @@ struct ContactStep {
                        std::uint32_t bits, const Self<P> &self, Vec3<Real> &force, Vec3<Real> &torque,
                        Real *virial) const
   {
+    const bool keeps = Law::keeps(s);
     std::uint32_t old = 0, now = 0;
     std::uint32_t *word = nullptr;
-    if (Law::keeps) {
+    if (keeps) {
       word = s.rows.touch + s.rows.maskStart[slice] + (first / 32u) * W + lane;
       old = *word;
     }
@@ -112,25 +113,25 @@ struct ContactStep {
       const std::uint32_t entry = base + (first + static_cast<std::uint32_t>(k)) * W;
       const std::uint32_t j = s.rows.neighbor[entry];
       const std::uint32_t kind = Law::kind(s, self.index, j);
-      const bool held = Law::keeps && (old >> k & 1u);
+      const bool held = keeps && (old >> k & 1u);
       GatheredPair<Real> g;
       if (!gatherPair<Law>(s, self, j, kind, held, g)) continue;
       typename Law::template History<Real> kept{};
       Real *slot = nullptr;
-      if (Law::keeps) {
+      if (keeps) {
         slot = s.rows.spring + static_cast<std::size_t>(Law::historySize(s)) * entry;
         if (held) kept = Law::load(s, slot);
         now |= 1u << k;
       }
       const ContactForce<Real> f = Law::evaluate(Law::coefficients(s, kind), toContact<Law>(g), kept, s.dt,
                                                  mode == StepMode::Fused || s.advanceSprings);
-      if (Law::keeps) Law::store(s, kept, slot);
+      if (keeps) Law::store(s, kept, slot);
       force += f.force;
       torque -= f.couple * (Law::moments ? g.radius - f.shorter : g.radius);
       if (Law::moments) torque += f.moment;
       if (mode == StepMode::Event && s.virial) addVirial(g.branch, f.force, virial);
     }
-    if (Law::keeps && now != old) *word = now;
+    if (keeps && now != old) *word = now;
   }
 };
 

@@ -12,8 +12,7 @@ namespace gpudem {
 /// Law of LAMMPS' gran/ styles, the same for all types.
 template <NormalModel normal, TangentialModel tangential>
 struct ClassicLaw {
-  static constexpr bool keeps = tangential == TangentialModel::Spring;
-  static constexpr int numbers = keeps ? 3 : 0;  ///< most numbers a contact keeps
+  static constexpr int numbers = tangential == TangentialModel::Spring ? 3 : 0;  ///< most numbers a contact keeps
   static constexpr bool beyondTouch = false;
   static constexpr bool takesRadius = normal == NormalModel::Hertz;  ///< reads the effective radius
   static constexpr bool takesSpinDifference = false;
@@ -24,6 +23,12 @@ struct ClassicLaw {
   template <class Real>
   using History = Vec3<Real>;
 
+  /// Does the table remember which pairs are in contact?
+  template <class P>
+  GPUDEM_HD static constexpr bool keeps(const StepView<P> &)
+  {
+    return tangential == TangentialModel::Spring;
+  }
   /// Number of the pair's coefficients.
   template <class P>
   GPUDEM_HD static std::uint32_t kind(const StepView<P> &, std::uint32_t, std::uint32_t)
@@ -68,7 +73,6 @@ struct ClassicLaw {
 /// Product of sub-models, with coefficients per pair of types.
 template <class Members>
 struct ModelLaw {
-  static constexpr bool keeps = true;
   static constexpr int numbers = maxNormalHistory + maxTangentialHistory + maxRollingHistory + maxTwistingHistory;
   static constexpr bool beyondTouch = Members::beyondTouch;
   static constexpr bool takesRadius = true;
@@ -81,6 +85,11 @@ struct ModelLaw {
   template <class Real>
   using History = ModelHistory<Real>;
 
+  template <class P>
+  GPUDEM_HD static bool keeps(const StepView<P> &s)
+  {
+    return s.keeps;
+  }
   template <class P>
   GPUDEM_HD static std::uint32_t kind(const StepView<P> &s, std::uint32_t i, std::uint32_t j)
   {

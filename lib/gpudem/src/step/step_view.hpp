@@ -119,6 +119,7 @@ struct StepView {
   const ModelCoefficients<Real> *models;  ///< [types][types] product laws, or null
   int commonModel[modelSlots];            ///< sub-model that all type pairs use, -1 if they differ
   LayoutView layout;                      ///< of what a contact keeps
+  bool keeps;                             ///< the table remembers which pairs are in contact
   int types;                              ///< 1 if all types have the same law
   std::uint32_t frozenRole;               ///< bits of Motion::word
   Real dt;

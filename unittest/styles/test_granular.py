@@ -66,7 +66,7 @@ def _damping():
     # stock's fit returns another restitution
     for e in (0.5, 0.9):
         argument = stock_tsuji_argument(e)
-        yield f"tsuji_{e}", Case(three(f"hertz/material 2.0e5 {e} 0.3 damping tsuji {MINDLIN}"),
+        yield f"tsuji_{int(10 * e)}", Case(three(f"hertz/material 2.0e5 {e} 0.3 damping tsuji {MINDLIN}"), scene=dict(steps=150),
                                  stock_words=((f"2.0e5 {e} 0.3", f"2.0e5 {argument} 0.3"),))
     yield "tsuji_lammps", Case(three(f"hertz/material 2.0e5 0.6 0.3 damping tsuji {MINDLIN}"),
                                scene=dict(before="gpudem_conventions\n"))
@@ -101,7 +101,10 @@ def _types():
 
 
 def _walls():
-    """The pair style is the same in all; walls in all directions, and stock made right by other numbers."""
+    """The pair style is the same in all; walls in all directions, and stock made right by other numbers.
+
+    jkr is missing: stock LAMMPS shortens the reach of a wall where an adhesion neck must lengthen it.
+    """
     pair = three(f"{HERTZ} tangential mindlin 1.5e5 0.5 0.4")
     young, nu = 2.0e5, 0.3
     stock_young = young / (1.0 - nu * nu) * (1.0 - nu)          # stock takes E/(2 (1 - nu)) for E/(2 (1 - nu^2))
@@ -112,8 +115,7 @@ def _walls():
         "hertz_viscous": (f"{HERTZ} tangential linear_nohistory 0.5 0.4", ()),
         "hertz_material": (f"hertz/material {material[0]} {MINDLIN}",
                            (material, ("mindlin NULL", f"mindlin {stock_kt:.17g}"))),
-        "jkr": (f"jkr {material[0]} 50.0 tangential mindlin_rescale NULL 0.6 0.4",
-                (material, ("mindlin_rescale NULL", f"mindlin_rescale {stock_kt:.17g}"))),
+        "dmt": (f"dmt {material[0]} 50.0 tangential linear_nohistory 0.0 0.0", (material,)),
         "all": (f"hertz/material {material[0]} tangential mindlin_rescale/force 1.5e5 0.5 0.4 {ROLLING} "
                 "twisting marshall limit_damping", (material,)),
         "twist_sds": (f"{HERTZ} {ROLLING} tangential mindlin/force 1.5e5 0.5 0.4 twisting sds 2.0e3 5.0 0.1", ()),
@@ -123,7 +125,7 @@ def _walls():
         yield name, Case(pair, scene=dict(boundary="f f f", fixes=f"{NVE}\n{planes.format(law=law)}"),
                          stock_words=stock_words)
     turning = f"{NVE}\nfix down all gravity 10.0 vector 0 0 -1\n" \
-        f"fix side all wall/gran granular {laws['all'][0]} zcylinder 3.5 shear z 1.5\n" \
+        f"fix side all wall/gran granular {laws['all'][0]} zcylinder 3.75 shear z 1.5\n" \
         f"fix low all wall/gran granular {laws['hertz_material'][0]} zplane 0.05 NULL wiggle z 0.02 0.1 contacts"
     yield "cylinder_and_wiggle", Case(pair, cloud=dict(centred=True),
                                       scene=dict(boundary="f f f", fixes=turning,

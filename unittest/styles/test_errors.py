@@ -23,7 +23,7 @@ class Errors(StylesTest):
         return run
 
     def test_unknown_keyword(self):
-        self.fails("gpudem foo 1\n", "ERROR", "'foo'", "device, precision, threads, info")
+        self.fails("gpudem foo 1\n", "ERROR", "'foo'", "device, precision, threads, conventions, info")
 
     def test_unknown_value(self):
         self.fails("gpudem precision half\n", "ERROR", "'half'", "'precision'", "double, mixed")
@@ -108,9 +108,14 @@ class StillRuns(StylesTest):
         self.falls_back(text, "triclinic")
 
     def test_pair_without_device_version(self):
-        text = scenes.scene(steps=100, pair="granular").replace(
-            "pair_coeff * *", "pair_coeff * * hooke 2.0e4 50.0 tangential linear_history 5.0e3 1.0 0.4 damping mass_velocity", 1)
-        self.falls_back(text, "pair style granular")
+        self.falls_back(scenes.scene(steps=100, pair="soft 1.0", coeff=("* * 100.0",)), "pair style soft")
+
+    def test_granular_without_residency(self):
+        """LAMMPS' own loop reads its tables, which GPUDEM filled, by the stock style's compute()."""
+        law = "hertz/material 2.0e5 20.0 0.3 tangential mindlin_rescale NULL 0.5 0.4 rolling sds 1.0e4 30.0 0.2"
+        text = scenes.scene(steps=100, pair="granular", coeff=tuple(f"{t} {law}" for t in ("1 1", "1 2", "2 2")), skin=0.4,
+                            neighbor="delay 1000 every 1000 check no")
+        self.falls_back(text.replace("pair_style", "change_box all triclinic\npair_style", 1), "triclinic")
 
     def test_hybrid(self):
         text = scenes.scene(steps=100, pair="hybrid gran/hooke/history 2.0e4 NULL 50.0 NULL 0.5 1").replace(

@@ -64,8 +64,6 @@ CASES = {
         "wall_region": Case(NVE + DOWN + "region can cylinder z 3.6 3.6 3.5 0.05 8.0 side in units box\n"
                             "fix r all wall/gran/region hooke/history 2.0e4 NULL 50.0 NULL 0.5 1 region can\n",
                             cloud=dict(margin=(0.05, 0.05, 0.8)), scene=dict(boundary="f f f"), log=("wall/gran/region",)),
-        "wall_granular": Case(NVE + "fix w all wall/gran granular hertz/material 1e5 0.3 0.3 tangential mindlin NULL 1.0 0.4 "
-                              "damping velocity zplane 0.05 NULL\n", log=("'granular'",), **TALL),
         "wall_reflect": Case(NVE + "fix bounce all wall/reflect zlo 0.02 zhi EDGE\n", scene=dict(boundary="p p f"),
                              cloud=dict(margin=(0, 0, 0.3)), log=("wall/reflect",)),
         "drag_and_region_setforce": Case(NVE + "region half block INF INF INF INF INF 3.0 units box\n"

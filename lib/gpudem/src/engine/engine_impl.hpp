@@ -13,6 +13,7 @@
 #include "neighbor/pair_table.hpp"
 #include "neighbor/row_table.hpp"
 #include "step/contact_chunk.hpp"
+#include "step/kernel_products.hpp"
 #include "step/observables.hpp"
 #include "step/scene_views.hpp"
 

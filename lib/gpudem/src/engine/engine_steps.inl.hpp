@@ -192,7 +192,12 @@ void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
 {
   using N = NormalModel;
   using T = TangentialModel;
-  if (!scene_.pairModels.empty()) return launchLaw<ModelLaw<AnyProduct>, mode>(v);
+  if (!scene_.pairModels.empty()) {
+    if constexpr (Exec::onGpu)
+      withKernelProduct(commonModel_, [&](auto product) { launchLaw<ModelLaw<decltype(product)>, mode>(v); });
+    else launchLaw<BatchModelLaw, mode>(v);
+    return;
+  }
   if (scene_.pair.normal == N::Hertz) {
     if (scene_.pair.tangential != T::Spring) throw Error("a Hertz contact without tangential springs is not compiled");
     return launchLaw<ClassicLaw<N::Hertz, T::Spring>, mode>(v);

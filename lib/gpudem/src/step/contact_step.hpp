@@ -70,7 +70,7 @@ template <class P, class Law, StepMode mode, WallUse walls, int W>
 struct ContactStep {
   using Real = typename P::Real;
   static constexpr int blockSize = 128;
-  static constexpr int minimumBlocks = P::fine ? 4 : 8;
+  static constexpr int minimumBlocks = Law::moments ? (P::fine ? 3 : 5) : (P::fine ? 4 : 8);
 
   StepView<P> s;
 

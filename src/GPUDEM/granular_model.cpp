@@ -205,7 +205,7 @@ double LAMMPS_NS::stockTsujiArgument(double alpha)
     return 1.2728 + e * (-4.2783 + e * (11.087 + e * (-22.348 + e * (27.467 + e * (-18.022 + e * 4.8218)))));
   };
   // the fit falls from far above any coefficient at -1 to its least value near 1
-  double low = -1.0, high = 1.0;
+  double low = -1.0, high = 1.01;  // the fit is 3e-4 at 1, and 0 a little later
   for (int k = 0; k < 200; ++k) {
     const double middle = 0.5 * (low + high);
     (fit(middle) > alpha ? low : high) = middle;

@@ -40,6 +40,7 @@ class BatchModels {
   void evaluate(const StepView<P> &s, Batch &b, bool advance)
   {
     const Table<uniform> table(s.models);
+    for (int n = b.size; n < b.padded(); ++n) b.kind[n] = 0;  // an index, unlike the rest behind the last pair
     contacts(b);
     const auto choose = [&](auto list, ModelSlot slot, auto any, const auto &run) {
       const int model = s.commonModel[static_cast<int>(slot)];

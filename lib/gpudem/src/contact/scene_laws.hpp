@@ -25,16 +25,10 @@ inline HistoryLayout pairLayout(const SceneSpec &scene)
   return scene.pairModels.empty() ? historyLayout(scene.pair) : historyLayout(scene.pairModels);
 }
 
-/// Do contacts outlive touch?
-inline bool pairsReachBeyond(const SceneSpec &scene)
-{
-  return std::any_of(scene.pairModels.begin(), scene.pairModels.end(), reachesBeyondTouch);
-}
-
-/// Must the pairs remember which contacts there are?
+/// Must the pairs remember which contacts there are? The compiled step of products marks them whatever the sub-models.
 inline bool keepsContacts(const SceneSpec &scene)
 {
-  return pairLayout(scene).size > 0 || pairsReachBeyond(scene);
+  return !scene.pairModels.empty() || pairLayout(scene).size > 0;
 }
 
 /// Largest gap across which two grains of the scene pull on each other (distance).
@@ -43,6 +37,14 @@ inline double largestPullOffGap(const SceneSpec &scene)
   double gap = 0.0;
   for (const ContactModel &model : scene.pairModels) gap = std::max(gap, pullOffGap(model, 0.5 * scene.largestRadius));
   return gap;
+}
+
+/// Largest gap across which a wall pulls on a grain of the scene (distance). Inside a cylinder the effective radius of
+/// a grain that fits is up to twice its radius.
+inline double wallPullOffGap(const WallSpec &wall, double largestRadius)
+{
+  if (!wall.model) return 0.0;
+  return pullOffGap(*wall.model, wall.shape == WallShape::Cylinder ? 2.0 * largestRadius : largestRadius);
 }
 
 /// Numbers that a wall keeps per grain, without the flag of adhesion.

@@ -8,28 +8,50 @@
 
 namespace gpudem::testing {
 
+/// Grains and what their contacts keep.
+struct Saved {
+  Grains grains;
+  ContactHistory history;
+  std::vector<std::vector<double>> walls;  ///< [walls][n][wallHistorySize]
+};
+
 class Driver {
  public:
   Driver(Engine &engine, const SceneSpec &scene, const Box &box, Grains grains);
+  /// Go on from a state with forces at \p step.
+  Driver(Engine &engine, const SceneSpec &scene, const Box &box, const Saved &saved, std::int64_t step);
   /// Advance to \p step, which becomes an event. \param batch steps queued at a time
   void run(std::int64_t step, int batch = 16, bool virial = false);
   /// State at the last event; positions unwrapped by the image flags.
   Grains read();
+  /// All that a continuation needs; positions within the box.
+  Saved save();
 
  private:
   Engine &engine_;
+  SceneSpec scene_;
   Box box_;
   Grains grains_;
   std::int64_t now_ = 0;
 };
 
 inline Driver::Driver(Engine &engine, const SceneSpec &scene, const Box &box, Grains grains)
-    : engine_(engine), box_(box), grains_(std::move(grains))
+    : engine_(engine), scene_(scene), box_(box), grains_(std::move(grains))
 {
   engine_.setScene(scene);
   engine_.upload(grains_.view(), box_, nullptr);
   engine_.rebuild(box_);
   engine_.evaluateForce({}, {});
+}
+
+inline Driver::Driver(Engine &engine, const SceneSpec &scene, const Box &box, const Saved &saved, std::int64_t step)
+    : engine_(engine), scene_(scene), box_(box), grains_(saved.grains), now_(step)
+{
+  engine_.setScene(scene);
+  engine_.upload(grains_.view(), box_, &saved.history);
+  for (std::size_t w = 0; w < saved.walls.size(); ++w)
+    engine_.uploadWallHistory(static_cast<int>(w), saved.walls[w].data());
+  engine_.rebuild(box_);
 }
 
 inline void Driver::run(std::int64_t event, int batch, bool virial)
@@ -66,6 +88,20 @@ inline Grains Driver::read()
       out.x[3 * i + d] += image * (box_.hi[d] - box_.lo[d]);
     }
   return out;
+}
+
+inline Saved Driver::save()
+{
+  engine_.rebuild(box_);  // wraps the positions
+  Saved s;
+  engine_.downloadFields(grains_.view(), fieldDynamic);
+  s.grains = grains_;
+  engine_.downloadHistory(s.history);
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
+    s.walls.emplace_back(grains_.size() * static_cast<std::size_t>(wallHistorySize(scene_.walls[w])));
+    engine_.downloadWallHistory(static_cast<int>(w), s.walls.back().data());
+  }
+  return s;
 }
 
 /// Largest difference of one array.

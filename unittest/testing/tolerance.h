@@ -24,6 +24,13 @@ inline Tolerance roundOff(Precision p, double magnitude, double operations = 16)
   return {operations * (p == Precision::Double ? 2.3e-16 : 1.2e-7), magnitude};
 }
 
+/// Paths of many grains that collide: round-off, that of \p operations to begin with, grows about tenfold in a hundred
+/// steps of the clouds used here.
+inline Tolerance alongThePath(Precision p, double magnitude, double hundredSteps, double operations)
+{
+  return {std::pow(10.0, hundredSteps) * operations * (p == Precision::Double ? 1e-14 : 2e-7), magnitude};
+}
+
 inline ::testing::AssertionResult near(double a, double b, const Tolerance &t)
 {
   if (std::abs(a - b) <= t.absolute()) return ::testing::AssertionSuccess();

@@ -51,7 +51,8 @@ void checkValue(const std::string &model, const ParameterInfo &p, double value)
 {
   if (p.derivable && std::isnan(value)) return;
   if (!std::isfinite(value) || value < p.low || value > p.high)
-    throw Error(fmt::format("{} {} = {:g} {}", model, p.name, value, rangeText(p)));
+    throw Error(
+        fmt::format("{} {} = {:g} {}", model, p.name, value, std::isinf(value) ? "must be finite" : rangeText(p)));
 }
 
 ParameterInfo dampingOf(const ContactModel &model)
@@ -145,8 +146,9 @@ ContactModuli contactModuli(const ContactModel &model)
 void equivalentMaterial(const ContactModuli &m, double &young, double &poisson)
 {
   const double q = m.shear / m.young;  // (1 - nu)/(2 (2 - nu))
-  poisson = (1.0 - 4.0 * q) / (1.0 - 2.0 * q);
-  young = m.young * 2.0 * (1.0 - poisson * poisson);
+  // round-off must not carry nu out of its range
+  poisson = std::clamp((1.0 - 4.0 * q) / (1.0 - 2.0 * q), poissonParameter().low, poissonParameter().high);
+  young = m.young * 2.0 * (1.0 - poisson) * (1.0 + poisson);
 }
 
 ModelCoefficients<double> deriveCoefficients(const ContactModel &model)

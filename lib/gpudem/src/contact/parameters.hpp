@@ -42,7 +42,7 @@ inline ParameterInfo dampingParameter()
 /// Moduli of a material in contact with itself: E* = E/(2 (1 - nu^2)), G* = E/(4 (2 - nu)(1 + nu)).
 inline ContactModuli selfContact(double young, double poisson)
 {
-  return {young / (2.0 * (1.0 - poisson * poisson)), young / (4.0 * (2.0 - poisson) * (1.0 + poisson)), true};
+  return {young / (2.0 * (1.0 - poisson) * (1.0 + poisson)), young / (4.0 * (2.0 - poisson) * (1.0 + poisson)), true};
 }
 
 }  // namespace gpudem

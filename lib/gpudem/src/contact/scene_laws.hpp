@@ -39,6 +39,14 @@ inline double largestPullOffGap(const SceneSpec &scene)
   return gap;
 }
 
+/// Largest gap across which a wall pulls on a grain of the scene (distance). Inside a cylinder the effective radius of
+/// a grain that fits is up to twice its radius.
+inline double wallPullOffGap(const WallSpec &wall, double largestRadius)
+{
+  if (!wall.model) return 0.0;
+  return pullOffGap(*wall.model, wall.shape == WallShape::Cylinder ? 2.0 * largestRadius : largestRadius);
+}
+
 /// Numbers that a wall keeps per grain, without the flag of adhesion.
 inline HistoryLayout wallLayout(const WallSpec &wall)
 {

@@ -178,7 +178,7 @@ void EngineImpl<Exec, P>::setAnchors()
     const WallSpec &spec = scene_.walls[w];
     s.wall[w].lo = spec.lo;
     s.wall[w].hi = spec.hi;
-    s.wallPull[w] = spec.model ? pullOffGap(*spec.model, scene_.largestRadius) : 0.0;
+    s.wallPull[w] = wallPullOffGap(spec, scene_.largestRadius);
     const bool sweeps = spec.wiggle && spec.shape == WallShape::Plane && spec.axis == spec.motionAxis;
     s.wallLoReach[w] = sweeps ? std::min(0.0, 2.0 * spec.amplitude) : 0.0;
     s.wallHiReach[w] = sweeps ? std::max(0.0, 2.0 * spec.amplitude) : 0.0;

@@ -22,7 +22,7 @@ class BatchModels {
   template <class P>
   void evaluate(const StepView<P> &s, Batch &b, bool advance)
   {
-    for (int n = b.size; n < b.padded(); ++n) b.kind[n] = 0;  // an index, unlike the numbers behind the last pair
+    for (int n = b.size; n < b.padded(); ++n) b.kind[n] = 0;  // an index, unlike the rest behind the last pair
     if (s.types > 1) evaluate<false>(s, b, advance);
     else evaluate<true>(s, b, advance);
   }

@@ -16,13 +16,26 @@ struct WallGap {
   Vec3<double> velocity;  ///< of the surface at the contact (distance/time)
 };
 
+/// Signed radius of the surface at \p x, which enters R_eff as in LAMMPS: negative inside a cylinder, 0 flat
+/// (distance).
+template <class Real>
+GPUDEM_HD double wallCurvature(const WallView<Real> &wall, const Vec3<double> &x)
+{
+  if (wall.shape == WallShape::Plane) return 0.0;
+  return x.x * x.x + x.y * x.y < wall.radius * wall.radius ? -2.0 * wall.radius : 2.0 * wall.radius;
+}
+GPUDEM_HD double wallEffectiveRadius(double radius, double curvature)
+{
+  return curvature == 0.0 ? radius : radius * curvature / (curvature + radius);
+}
+
 /// \param reach radius, larger if an adhesive contact may outlive touch (distance)
 /// \return false when the grain does not touch. The nearer of two planes acts, as in LAMMPS.
 template <class Real>
 GPUDEM_HD bool wallGap(const WallView<Real> &wall, const Vec3<double> &x, double reach, WallGap &gap)
 {
   gap.branch = {0.0, 0.0, 0.0};
-  gap.curvature = 0.0;
+  gap.curvature = wallCurvature(wall, x);
   gap.velocity = wall.velocity;
   if (wall.shape == WallShape::Plane) {
     const double above = x[wall.axis] - wall.lo;
@@ -37,7 +50,6 @@ GPUDEM_HD bool wallGap(const WallView<Real> &wall, const Vec3<double> &x, double
   if (inward > reach || rho == 0.0) return false;
   gap.branch = {-inward / rho * x.x, -inward / rho * x.y, 0.0};
   gap.distance = absolute(inward);
-  gap.curvature = rho < wall.radius ? -2.0 * wall.radius : 2.0 * wall.radius;
   if (wall.tangentialSpeed != 0.0)
     gap.velocity = {wall.tangentialSpeed * x.y / rho, -wall.tangentialSpeed * x.x / rho, 0.0};
   return gap.distance <= reach;
@@ -81,8 +93,10 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   WallGap gap;
   Real *kept = wall.history ? wall.history + static_cast<std::size_t>(wall.historySize) * i : nullptr;
   double reach = radius;
-  if (use == WallUse::Any && wall.flag && kept[0] != Real(0))
-    reach += static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(radius)));
+  if (use == WallUse::Any && wall.flag && kept[0] != Real(0)) {
+    const double effective = wallEffectiveRadius(radius, wallCurvature(wall, x));
+    reach += static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(effective)));
+  }
   const bool touches = wallGap(wall, x, reach, gap);
   ContactForce<Real> result{};
   if (!touches) {
@@ -95,8 +109,7 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   c.distance = static_cast<Real>(gap.distance);
   c.inverseDistance = static_cast<Real>(1.0 / gap.distance);
   c.overlap = static_cast<Real>(radius - gap.distance);
-  c.effectiveRadius =
-      static_cast<Real>(gap.curvature == 0.0 ? radius : radius * gap.curvature / (gap.curvature + radius));
+  c.effectiveRadius = static_cast<Real>(wallEffectiveRadius(radius, gap.curvature));
   c.effectiveMass = m.mass;
   c.relativeVelocity = Vec3<Real>{m.vx, m.vy, m.vz} - gap.velocity.template as<Real>();
   c.surfaceSpin = Vec3<Real>{m.wx, m.wy, m.wz} * static_cast<Real>(radius);

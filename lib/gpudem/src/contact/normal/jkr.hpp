@@ -5,8 +5,8 @@
 ///   delta = a^2/R* - 2 sqrt(pi gamma a/E*),   F = 4/3 E* a^3/R* - 2 pi a^2 sqrt(4 gamma E*/(pi a)).
 ///
 /// Once in touch, spheres hold together up to a gap of (9 pi gamma/(4 E*))^(2/3) R*^(1/3)/3; the pull-off force is
-/// 3 pi gamma R*.  Johnson, Kendall and Roberts, Proc. R. Soc. A 324 (1971) 301; the root for a from Parteli et al.,
-/// Sci. Rep. 4 (2014) 6227.
+/// 3 pi gamma R*.  Johnson, Kendall and Roberts, Proc. R. Soc. A 324 (1971) 301; a in closed form as in Parteli et al.,
+/// Sci. Rep. 4 (2014) 6227, rearranged.
 #pragma once
 
 #include "contact/coefficients.hpp"
@@ -60,17 +60,22 @@ struct JkrNormal {
   static constexpr double pi = 3.14159265358979323846;
 
   /// Larger root x of x^2 - 2 sqrt(pi x) = d: contact radius and overlap in units of (gamma R*^2/E*)^(1/3).
+  ///
+  /// For y = sqrt(x) this is a quartic without square and cube, so y = (r + sqrt(4 sqrt(pi)/r - r^2))/2, where u = r^2
+  /// solves u^3 + 4 d u = 4 pi. Cardano's difference of roots p - q is taken as (p^3 - q^3)/(p^2 + p q + q^2): nothing
+  /// cancels for stiff or hardly adhesive grains (large d), where the form of Parteli et al. loses half of the digits.
   template <class Real>
   GPUDEM_HD static Real contactRadius(Real d)
   {
-    const Real t1 = Real(27.0 * pi * pi), t2 = Real(8) * d * d * d;
-    const Real root1 = t1 + Real(2) * t2;
-    const Real t4 = cubeRoot(t1 + t2 + Real(5.19615242270663188 * pi) * squareRoot(root1 > Real(0) ? root1 : Real(0)));
-    const Real t5 = divide(Real(4) * d * d, t4) + t4;
-    const Real root2 = Real(2) * d + t5;
-    const Real t6 = squareRoot(root2 > Real(0) ? root2 : Real(0));
-    const Real root3 = Real(4) * d - t5 + divide(Real(14.6969384566990686 * pi), t6);
-    return Real(0.408248290463863016) * (t6 + squareRoot(root3 > Real(0) ? root3 : Real(0)));
+    const Real size = absolute(d);
+    const Real power = Real(1.53960071783900203) * size * squareRoot(size);  // sqrt(64/27) |d|^(3/2)
+    const Real square = Real(4 * pi * pi) + (d < Real(0) ? -power * power : power * power);
+    const Real root = power > Real(1e12) ? power : squareRoot(square > Real(0) ? square : Real(0));
+    const Real p = cubeRoot(Real(2 * pi) + root), q = divide(Real(4.0 / 3.0) * d, p);
+    const Real r = squareRoot(divide(Real(4 * pi), p * p + p * q + q * q));
+    const Real rest = divide(Real(7.08981540362206109), r) - r * r;  // 4 sqrt(pi)/r - r^2, zero where contact ends
+    const Real y = Real(0.5) * (r + squareRoot(rest > Real(0) ? rest : Real(0)));
+    return y * y;
   }
 };
 

@@ -228,7 +228,8 @@ TEST_P(ModelEngine, HistoryCrossesRebuildsAndEnginesExactly)
     EXPECT_EQ(here.history.partner, there.history.partner);
     EXPECT_EQ(here.walls, there.walls);
 
-    // undisturbed, the sums of a grain may have another order
+    // undisturbed, the sums of a grain may have another order; springs are at least some 10^-3 of a grain or differ by
+    // what positions differ
     const std::unique_ptr<Engine> third = make();
     Driver whole(*third, scene, box, start);
     whole.run(100);
@@ -239,7 +240,7 @@ TEST_P(ModelEngine, HistoryCrossesRebuildsAndEnginesExactly)
     };
     EXPECT_LE(largestDifference(one.grains.v, here.grains.v), tolerance(largest(here.grains.v)));
     for (std::size_t w = 0; w < here.walls.size(); ++w)
-      EXPECT_LE(largestDifference(one.walls[w], here.walls[w]), tolerance(largest(here.walls[w])));
+      EXPECT_LE(largestDifference(one.walls[w], here.walls[w]), tolerance(largest(here.walls[w]) + 1e-3));
   }
 }
 

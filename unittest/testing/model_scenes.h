@@ -10,8 +10,8 @@ namespace gpudem::testing {
 
 struct ModelScene {
   const char *name;
-  std::vector<ContactModel> pairs;  ///< of types 1-1, 1-2, 2-2
-  ContactModel wall;
+  std::vector<ContactModel> pairs;   ///< of types 1-1, 1-2, 2-2; empty: a law of the gran/ styles
+  std::optional<ContactModel> wall;  ///< absent: a law of the gran/ styles
   std::array<bool, 3> periodic;
   bool cylinder = false;  ///< around the grains, instead of walls at the faces in x and y
 };
@@ -78,6 +78,8 @@ inline std::vector<ModelScene> modelScenes()
       {"dmt, closed box", {stiff, stiff, stiff}, asWall(stiff), {false, false, false}},
       {"no history at all", {damped, damped, damped}, asWall(damped), {true, true, false}},
       {"adhesive cylinder", {a, a, a}, asWall(sticky), {false, false, true}, true},
+      {"gran/ pairs, adhesive walls", {}, asWall(sticky), {false, true, false}},
+      {"adhesive pairs, gran/ walls", {sticky, sticky, sticky}, {}, {false, true, false}},
   };
 }
 
@@ -110,7 +112,8 @@ inline SceneSpec specOf(const ModelScene &m, const Box &box)
 {
   SceneSpec s;
   s.types = 2;
-  s.pairModels = {m.pairs[0], m.pairs[1], m.pairs[1], m.pairs[2]};
+  s.pair = {NormalModel::Hooke, TangentialModel::Spring, 2e4, 6e3, 20.0, 10.0, 0.4, false};
+  if (!m.pairs.empty()) s.pairModels = {m.pairs[0], m.pairs[1], m.pairs[1], m.pairs[2]};
   s.timestep = 2e-4;
   s.halfKick = 0.5 * s.timestep;
   s.skin = 0.1;
@@ -119,6 +122,7 @@ inline SceneSpec specOf(const ModelScene &m, const Box &box)
     if (box.periodic[d] || (m.cylinder && d < 2)) continue;
     WallSpec w;
     w.model = m.wall;
+    w.law = s.pair;
     w.axis = d;
     w.lo = box.lo[d];
     w.hi = box.hi[d];
@@ -127,6 +131,7 @@ inline SceneSpec specOf(const ModelScene &m, const Box &box)
   if (m.cylinder) {
     WallSpec w;
     w.model = m.wall;
+    w.law = s.pair;
     w.shape = WallShape::Cylinder;
     w.radius = cylinderRadius(box);
     addModelWall(s, w);

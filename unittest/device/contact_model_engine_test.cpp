@@ -154,7 +154,7 @@ TEST_P(ModelEngine, PairsAreOppositeToTheLastBit)
         }
       EXPECT_GT(touching, 1500);
       const Kept kept = keptBy(*engine, start);
-      EXPECT_GT(kept.size(), 1000u);
+      EXPECT_TRUE(!keepsContacts(scene) || kept.size() > 1000u) << kept.size();
       for (const auto &[key, numbers] : kept) {
         const auto other = kept.find({key.second, key.first});
         ASSERT_NE(other, kept.end());
@@ -206,7 +206,7 @@ TEST_P(ModelEngine, HistoryCrossesRebuildsAndEnginesExactly)
     const Kept before = keptBy(*engine, start);
     const Saved saved = first.save();
     EXPECT_EQ(saved.history.size, pairHistoryLayout(scene).size);
-    EXPECT_GT(before.size(), 4u);
+    EXPECT_TRUE(!keepsContacts(scene) || before.size() > 4u) << before.size();
     EXPECT_EQ(keptBy(*engine, start), before);
     engine->rebuild(box);
     EXPECT_EQ(keptBy(*engine, start), before);

@@ -128,7 +128,8 @@ void Oracle::pairForce(std::size_t i, std::size_t j, bool advance)
     c.relativeVelocity[d] = g.v[3 * i + d] - g.v[3 * j + d];
     c.surfaceSpin[d] = g.radius[i] * g.w[3 * i + d] + g.radius[j] * g.w[3 * j + d];
   }
-  std::vector<double> &numbers = kept[key];
+  std::vector<double> nothing;  // a law that keeps nothing leaves no trace
+  std::vector<double> &numbers = keepsContacts(scene_) ? kept[key] : nothing;
   numbers.resize(static_cast<std::size_t>(layout_.size), 0.0);
   if (model) return addModelForce(i, j, *model, c, numbers.data(), advance);
   Vec3<double> spring{0, 0, 0};

@@ -5,8 +5,9 @@
 ///   delta = a^2/R* - 2 sqrt(pi gamma a/E*),   F = 4/3 E* a^3/R* - 2 pi a^2 sqrt(4 gamma E*/(pi a)).
 ///
 /// Once in touch, spheres hold together up to a gap of (9 pi gamma/(4 E*))^(2/3) R*^(1/3)/3; the pull-off force is
-/// 3 pi gamma R*.  Johnson, Kendall and Roberts, Proc. R. Soc. A 324 (1971) 301; a in closed form as in Parteli et al.,
-/// Sci. Rep. 4 (2014) 6227, rearranged.
+/// 3 pi gamma R*. That gap is where the neck parts under a load, as in LAMMPS; pulled at a given distance it could be
+/// stretched a little further.  Johnson, Kendall and Roberts, Proc. R. Soc. A 324 (1971) 301; a in closed form as in
+/// Parteli et al., Sci. Rep. 4 (2014) 6227, rearranged.
 #pragma once
 
 #include "contact/coefficients.hpp"

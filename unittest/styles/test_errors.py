@@ -93,6 +93,64 @@ class Errors(StylesTest):
         self.fails(scenes.scene("fix move all nve/sphere\nfix w all wall/gran hooke 1 2 3\n"), "ERROR", "wall/gran")
 
 
+class GranularErrors(StylesTest):
+    """Every wrong word of a contact law: the message names the word and what would be right, and LAMMPS adds the line."""
+    REST = "tangential mindlin NULL 1.0 0.4"
+    CASES = (
+        ("hertz/materal 1e5 0.3 0.3 " + REST, ("'hertz/materal'", "known are", "hertz/material")),
+        ("hertz/material 1e5 0.3 " + REST, ("'tangential'", "nu of normal hertz/material", "E eta nu")),
+        ("hertz/material 1e5", ("eta of normal hertz/material", "missing")),
+        ("hertz/material 1e5 0.3 0.7 " + REST, ("nu = 0.7", "above -1 and at most 0.5")),
+        ("hertz/material 1e5 0.3 -1.0 " + REST, ("nu = -1", "above -1 and at most 0.5")),
+        ("hertz/material -1e5 0.3 0.3 " + REST, ("E = -100000", "must be positive")),
+        ("hertz/material 1e5 1.2 0.3 damping tsuji " + REST, ("tsuji", "e = 1.2", "above 0 and at most 1")),
+        ("hertz/material 1e5 0 0.3 damping coeff_restitution " + REST, ("e = 0", "above 0 and at most 1")),
+        ("hertz/material 1e5 -3 0.3 " + REST, ("viscoelastic", "eta = -3", "must not be negative")),
+        ("hooke 1e5 50 damping tsujii " + REST, ("'tsujii'", "known are velocity")),
+        ("hooke 1e5 50 " + REST, ("NULL", "material")),
+        ("hooke 1e5 50", ("'tangential'", "missing")),
+        (REST, ("normal sub-model", "missing")),
+        ("hooke 1e5 50 tangential linear_history 1e4 1.0", ("mu of tangential linear_history", "missing")),
+        ("hooke 1e5 50 tangential linear_history 1e4 1.0 -0.4", ("mu = -0.4", "between 0 and 10000")),
+        ("hooke 1e5 50 tangential linear_history NULL 1.0 0.4", ("kt of tangential linear_history", "cannot be NULL")),
+        ("hertz 1e5 50 tangential mindlin 1e5 1.0 0.4 rolling sds 1e3 10", ("mu of rolling sds", "missing")),
+        ("hertz 1e5 50 tangential mindlin 1e5 1.0 0.4 rolling epsd9 1e3", ("'epsd9'", "sds")),
+        ("hertz 1e5 50 tangential mindlin 1e5 1.0 0.4 twisting sds 1e3 -1 0.1", ("gamma = -1", "must not be negative")),
+        ("jkr 1e5 50 0.3 10 " + REST + " limit_damping", ("limit_damping", "jkr")),
+        ("hertz 1e5 50 tangential mindlin 1e5 1.0 0.4 synchronized_verlet", ("'synchronized_verlet'", "not available")),
+        ("hertz 1e5 abc tangential mindlin 1e5 1.0 0.4", ("'abc'", "eta of normal hertz")),
+        ("hertz nan 50 tangential mindlin 1e5 1.0 0.4", ("kn", "nan")),
+    )
+
+    def test_pair_coeff(self):
+        files = [("cloud.data", scenes.cloud(cells=(3, 3, 3)))]
+        for law, phrases in self.CASES:
+            with self.subTest(law=law):
+                run = self.run_lammps(scenes.scene(pair="granular", coeff=(f"* * {law}",), steps=0), files, gpudem="double",
+                                      succeed=False)
+                self.assertNotEqual(run.status, 0)
+                for phrase in ("ERROR: Pair_coeff: ", f"Last command: pair_coeff * * {law}", *phrases):
+                    self.assertIn(phrase, run.everything)
+
+    def test_wall(self):
+        files = [("cloud.data", scenes.cloud(cells=(3, 3, 3)))]
+        for law, phrases in self.CASES:
+            with self.subTest(law=law):
+                fix = f"fix w all wall/gran granular {law} zplane 0.05 NULL"
+                run = self.run_lammps(scenes.scene(fix, boundary="p p f", steps=0), files, gpudem="double", succeed=False)
+                self.assertNotEqual(run.status, 0)
+                for phrase in ("ERROR: Fix wall/gran: ", f"Last command: {fix}", *phrases[:1]):
+                    self.assertIn(phrase, run.everything)
+
+    def test_mixing_of_different_models(self):
+        text = scenes.scene(pair="granular", coeff=(f"1 1 hertz/material 1e5 20 0.3 {self.REST}", "2 2 hooke 1e5 20 tangential "
+                            "linear_history 1e4 1.0 0.4"), steps=0)
+        run = self.run_lammps(text, [("cloud.data", scenes.cloud(cells=(3, 3, 3)))], gpudem="double", succeed=False)
+        self.assertNotEqual(run.status, 0)
+        for phrase in ("types 1 and 2", "hertz/material and hooke differ", "give pair_coeff 1 2"):
+            self.assertIn(phrase, run.everything)
+
+
 class StillRuns(StylesTest):
     def falls_back(self, text, *phrases, files=None, **kw):
         files = files or [("cloud.data", scenes.cloud())]

@@ -9,6 +9,8 @@
 
 #include "step/contact_batch.hpp"
 
+#include <algorithm>
+
 namespace gpudem {
 
 /// The law of the CPU for products; the members are chosen per batch.
@@ -23,8 +25,9 @@ class BatchModels {
   void evaluate(const StepView<P> &s, Batch &b, bool advance)
   {
     for (int n = b.size; n < b.padded(); ++n) b.kind[n] = 0;  // an index, unlike the rest behind the last pair
-    if (s.types > 1) evaluate<false>(s, b, advance);
-    else evaluate<true>(s, b, advance);
+    // known when compiling, or the loops would not vectorise
+    if (s.types > 1) advance ? evaluate<false, true>(s, b) : evaluate<false, false>(s, b);
+    else advance ? evaluate<true, true>(s, b) : evaluate<true, false>(s, b);
   }
 
  private:
@@ -37,8 +40,8 @@ class BatchModels {
     const ModelCoefficients<Real> *all;
   };
 
-  template <bool uniform, class P>
-  void evaluate(const StepView<P> &s, Batch &b, bool advance)
+  template <bool uniform, bool advance, class P>
+  void evaluate(const StepView<P> &s, Batch &b)
   {
     const Table<uniform> table(s.models);
     contacts(b);
@@ -53,11 +56,11 @@ class BatchModels {
     choose(NormalModels{}, ModelSlot::Normal, AnyNormal{}, [&](auto m) { normal<decltype(m)>(table, s.layout, b); });
     choose(DampingModels{}, ModelSlot::Damping, AnyDamping{}, [&](auto m) { damping<decltype(m)>(table, b); });
     choose(TangentialModels{}, ModelSlot::Tangential, AnyTangential{},
-           [&](auto m) { tangential<decltype(m)>(table, s.layout, b, s.dt, advance); });
+           [&](auto m) { tangential<decltype(m), advance>(table, s.layout, b, s.dt); });
     choose(RollingModels{}, ModelSlot::Rolling, AnyRolling{},
-           [&](auto m) { rolling<decltype(m)>(table, s.layout, b, s.dt, advance); });
+           [&](auto m) { rolling<decltype(m), advance>(table, s.layout, b, s.dt); });
     choose(TwistingModels{}, ModelSlot::Twisting, AnyTwisting{},
-           [&](auto m) { twisting<decltype(m)>(table, s.layout, b, s.dt, advance); });
+           [&](auto m) { twisting<decltype(m), advance>(table, s.layout, b, s.dt); });
     finish(table, b);
   }
 
@@ -100,29 +103,40 @@ class BatchModels {
     return {elastic_[n], contactRadius_[n], stiffness_[n], pullOff_[n], adhesive_[n] != Real(0)};
   }
 
-  template <int most>
-  static void load(const LayoutView &layout, ModelSlot slot, const Batch &b, int n, Real *h)
-  {
-    for (int d = 0; d < most; ++d)
-      h[d] = d < layout.length[static_cast<int>(slot)] ? b.kept[layout.at[static_cast<int>(slot)] + d][n] : Real(0);
-  }
-  template <int most>
-  static void store(const LayoutView &layout, ModelSlot slot, Batch &b, int n, const Real *h)
-  {
-    for (int d = 0; d < most; ++d)
-      if (d < layout.length[static_cast<int>(slot)]) b.kept[layout.at[static_cast<int>(slot)] + d][n] = h[d];
-  }
+  /// The numbers of one slot, a row of the batch each. A member chosen at run time may know more numbers than the
+  /// scene's contacts keep: those are zero and forgotten.
+  template <class M>
+  struct Rows {
+    Rows(BatchModels &models, const LayoutView &layout, ModelSlot slot, Batch &b)
+    {
+      for (int d = 0; d < M::history; ++d) {
+        const bool kept = d < layout.length[static_cast<int>(slot)];
+        row[d] = kept ? b.kept[layout.at[static_cast<int>(slot)] + d] : models.spare_[d];
+        if (!kept) std::fill_n(models.spare_[d], batchStride, Real(0));
+      }
+    }
+    void load(int n, Real *h) const
+    {
+      for (int d = 0; d < M::history; ++d) h[d] = row[d][n];
+    }
+    void store(int n, const Real *h) const
+    {
+      for (int d = 0; d < M::history; ++d) row[d][n] = h[d];
+    }
+    Real *row[M::history > 0 ? M::history : 1];
+  };
 
   template <class M, class T>
   void normal(const T &table, const LayoutView layout, Batch &b)
   {
+    const Rows<M> rows(*this, layout, ModelSlot::Normal, b);
     const int size = b.padded();
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) {
       Real h[maxNormalHistory];
-      load<M::history>(layout, ModelSlot::Normal, b, n, h);
+      rows.load(n, h);
       const NormalForce<Real> f = M::force(table.of(b.kind[n]), contact(b, n), h);
-      store<M::history>(layout, ModelSlot::Normal, b, n, h);
+      rows.store(n, h);
       elastic_[n] = f.elastic;
       contactRadius_[n] = f.contactRadius;
       stiffness_[n] = f.stiffness;
@@ -145,18 +159,19 @@ class BatchModels {
     }
   }
 
-  template <class M, class T>
-  void tangential(const T &table, const LayoutView layout, Batch &b, const Real dt, const bool advance)
+  template <class M, bool advance, class T>
+  void tangential(const T &table, const LayoutView layout, Batch &b, const Real dt)
   {
+    const Rows<M> rows(*this, layout, ModelSlot::Tangential, b);
     const int size = b.padded();
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) {
       Real h[maxTangentialHistory];
-      load<M::history>(layout, ModelSlot::Tangential, b, n, h);
+      rows.load(n, h);
       const ModelCoefficients<Real> &k = table.of(b.kind[n]);
       const ContactFrame<Real> f = frame(n);
       const Vec3<Real> friction = M::force(k, f, contactRadius_[n], eta_[n], base_[n], h, dt, advance);
-      store<M::history>(layout, ModelSlot::Tangential, b, n, h);
+      rows.store(n, h);
       const TangentialStiffness<Real> t = M::stiffness(k, contactRadius_[n], eta_[n]);
       tangentialSpring_[n] = t.spring;
       tangentialDashpot_[n] = t.dashpot;
@@ -170,36 +185,38 @@ class BatchModels {
     }
   }
 
-  template <class M, class T>
-  void rolling(const T &table, const LayoutView layout, Batch &b, const Real dt, const bool advance)
+  template <class M, bool advance, class T>
+  void rolling(const T &table, const LayoutView layout, Batch &b, const Real dt)
   {
+    const Rows<M> rows(*this, layout, ModelSlot::Rolling, b);
     const int size = b.padded();
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) {
       Real h[maxRollingHistory];
-      load<M::history>(layout, ModelSlot::Rolling, b, n, h);
+      rows.load(n, h);
       const Vec3<Real> m =
           M::moment(table.of(b.kind[n]), contact(b, n), frame(n), normalForce(n), base_[n], h, dt, advance);
-      store<M::history>(layout, ModelSlot::Rolling, b, n, h);
+      rows.store(n, h);
       b.mx[n] = m.x;
       b.my[n] = m.y;
       b.mz[n] = m.z;
     }
   }
 
-  template <class M, class T>
-  void twisting(const T &table, const LayoutView layout, Batch &b, const Real dt, const bool advance)
+  template <class M, bool advance, class T>
+  void twisting(const T &table, const LayoutView layout, Batch &b, const Real dt)
   {
     if (std::is_same<M, NoTwisting>::value) return;
+    const Rows<M> rows(*this, layout, ModelSlot::Twisting, b);
     const int size = b.padded();
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) {
       Real h[maxTwistingHistory];
-      load<M::history>(layout, ModelSlot::Twisting, b, n, h);
+      rows.load(n, h);
       const TangentialStiffness<Real> t{tangentialSpring_[n], tangentialDashpot_[n]};
       const Real torque =
           M::torque(table.of(b.kind[n]), contact(b, n), frame(n), contactRadius_[n], t, base_[n], h, dt, advance);
-      store<M::history>(layout, ModelSlot::Twisting, b, n, h);
+      rows.store(n, h);
       b.mx[n] += nx_[n] * torque;
       b.my[n] += ny_[n] * torque;
       b.mz[n] += nz_[n] * torque;
@@ -220,6 +237,7 @@ class BatchModels {
       adhesive_[batchStride];
   Real push_[batchStride], base_[batchStride], eta_[batchStride];
   Real tangentialSpring_[batchStride], tangentialDashpot_[batchStride];
+  Real spare_[maxTangentialHistory][batchStride];
 };
 
 template <class Law, class Real>

@@ -120,12 +120,33 @@ GPUDEM_HD double squareRoot(double x)
 #endif
 }
 
+/// Cube root of a positive number on the CPU, without branches or calls so that it fits SIMD lanes: a third of the
+/// exponent for a start (5 % off), then Halley's iteration, which triples the digits. Zero stays zero.
+template <int iterations>
+double cubeRootInLanes(double x)
+{
+  std::int64_t bits;
+  memcpy(&bits, &x, 8);
+  const auto upper = static_cast<std::int32_t>(bits >> 32);
+  // the exponent's bias of 1023 becomes 682; the last digits make the error symmetric
+  const auto third = static_cast<std::int32_t>(static_cast<double>(upper) * (1.0 / 3.0) + 715094163.0);
+  bits = static_cast<std::int64_t>(third) << 32;
+  double y;
+  memcpy(&y, &bits, 8);
+  for (int k = 0; k < iterations; ++k) {
+    const double cube = y * y * y;
+    y *= (cube + 2.0 * x) / (2.0 * cube + x);
+  }
+  return x > 0.0 ? y : 0.0;
+}
+
+/// Cube root of a number that is not negative.
 GPUDEM_HD float cubeRoot(float x)
 {
 #ifdef __CUDA_ARCH__
   return cbrtf(x);
 #else
-  return std::cbrt(x);
+  return static_cast<float>(cubeRootInLanes<2>(static_cast<double>(x)));
 #endif
 }
 GPUDEM_HD double cubeRoot(double x)
@@ -133,7 +154,7 @@ GPUDEM_HD double cubeRoot(double x)
 #ifdef __CUDA_ARCH__
   return cbrt(x);
 #else
-  return std::cbrt(x);
+  return cubeRootInLanes<3>(x);
 #endif
 }
 

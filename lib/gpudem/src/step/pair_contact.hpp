@@ -104,7 +104,7 @@ GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32
   const Motion<Real> &m = self.motion;
   const Gap<Real> gap = gapTo(s, self, j, P::fine ? 0u : s.motionIn[j].word);
   bool touches = gap.room2 > static_cast<double>(gap.reach) * s.touchMargin;
-  if (Law::beyondTouch && held) {
+  if (Law::beyondTouch && held && !touches) {
     const Real apart = Law::gap(Law::coefficients(s, kind), gap.radius, gap.radius2);
     touches = gap.room2 > -static_cast<double>(apart * (Real(2) * gap.reach + apart));
   }

@@ -148,7 +148,7 @@ inline LongHandResult longHand(const ContactModel &m, const ContactState &s, Lon
   const std::vector<double> &p = m.normal.parameter;
 
   const double cohesion = longHandCohesion(m.cohesion, s);
-  if (delta <= 0.0 && normal != "jkr") {  // a bridge, and nothing that needs touch
+  if (delta < 0.0 && normal != "jkr") {  // a bridge, and nothing that needs touch
     h = {};
     r.push = cohesion;
     r.force = along(n, cohesion);

@@ -47,7 +47,7 @@ GPUDEM_HD void addCohesion(const ModelCoefficients<Real> &k, Real cohesion, Damp
 template <class Real>
 GPUDEM_HD bool surfacesAct(const ModelCoefficients<Real> &k, Real overlap)
 {
-  return overlap > Real(0) || k.necks;
+  return overlap >= Real(0) || k.necks;
 }
 
 /// Everything one evaluation yields; the step reads sum(), output of single contacts reads the parts.

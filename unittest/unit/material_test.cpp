@@ -119,6 +119,9 @@ TEST(Material, DashpotsHaveTheSamePartOfCriticalDamping)
   const ContactModuli moduli = contactModuli(glass, steel);
   const ContactModel law = materialModel(glass, steel, pairOf(0.5, 0.3), {});
   EXPECT_TRUE(same(law.tangential.parameter[1], std::sqrt(8.0 * moduli.shear / (2.0 * moduli.young))));
+  MaterialLaw own;
+  own.tangentialDamping = 0.0;
+  EXPECT_EQ(materialModel(glass, steel, pairOf(0.5, 0.3), own).tangential.parameter[1], 0.0);
 }
 
 /// A head-on impact, integrated: the restitution asked for comes out, and for unlike materials too.
@@ -231,6 +234,9 @@ TEST(Material, EveryNumberHasARange)
   expect(message({1e9, 0.3, 0.0}, rolls, law), "density");
   law.tangential = "linear_history";
   expect(message(glass, good, law), "no tangential 'linear_history'; it takes mindlin, mindlin_rescale");
+  law = {};
+  law.tangentialDamping = -1.0;
+  expect(message(glass, good, law), "tangential_damping = -1 must not be negative");
   law = {};
   law.normal = "hooke";
   expect(message(glass, good, law), "no normal 'hooke'; it takes hertz/material, dmt, jkr");

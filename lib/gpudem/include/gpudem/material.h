@@ -5,6 +5,7 @@
 
 #include "gpudem/contact_model.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -31,11 +32,12 @@ struct MaterialPair {
 struct MaterialLaw {
   std::string normal;  ///< empty: jkr where the pair has a surface energy, else hertz/material
   std::string tangential = "mindlin";
-  std::string rolling = "sds";   ///< none: the pairs' rolling numbers are not used
-  std::string twisting = "sds";  ///< none: the pairs' twisting numbers are not used
-  bool limitDamping = false;     ///< as in ContactModel
-  double radius = 0.0;           ///< of the two grains of the reference contact (distance)
-  double speed = 0.0;            ///< of their impact (distance/time)
+  std::string rolling = "sds";     ///< none: the pairs' rolling numbers are not used
+  std::string twisting = "sds";    ///< none: the pairs' twisting numbers are not used
+  bool limitDamping = false;       ///< as in ContactModel
+  double tangentialDamping = NAN;  ///< xgt; not-a-number: tangentialDampingRatio()
+  double radius = 0.0;             ///< of the two grains of the reference contact (distance)
+  double speed = 0.0;              ///< of their impact (distance/time)
 };
 
 /// The sub-models of \p slot that a law made of materials can have.

@@ -80,7 +80,8 @@ const std::vector<NumberOf<MaterialLaw>> &lawNumbers()
 {
   static const std::vector<NumberOf<MaterialLaw>> numbers{
       {positive("radius", "distance"), &MaterialLaw::radius, false},
-      {positive("speed", "distance/time"), &MaterialLaw::speed, false}};
+      {positive("speed", "distance/time"), &MaterialLaw::speed, false},
+      {{"tangential_damping", "-", 0.0, unbounded, true}, &MaterialLaw::tangentialDamping, false}};
   return numbers;
 }
 
@@ -164,8 +165,10 @@ ContactModel materialModel(const Material &a, const Material &b, const MaterialP
   m.normal.parameter = {young, pair.restitution, poisson};
   if (taken > 3) m.normal.parameter.push_back(pair.surfaceEnergy);
   m.damping.name = "coeff_restitution";
-  m.tangential = {law.tangential,
-                  {std::numeric_limits<double>::quiet_NaN(), tangentialDampingRatio(moduli), pair.friction}};
+  m.tangential = {
+      law.tangential,
+      {std::numeric_limits<double>::quiet_NaN(),
+       std::isnan(law.tangentialDamping) ? tangentialDampingRatio(moduli) : law.tangentialDamping, pair.friction}};
   if (pair.rolling > 0.0 && law.rolling == "sds")
     m.rolling = {"sds", rollingParameters(referenceContact(a, b, law, partner), pair, partner)};
   if (law.twisting == "marshall") m.twisting.name = "marshall";

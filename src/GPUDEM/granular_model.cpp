@@ -171,7 +171,8 @@ int LAMMPS_NS::readGranularWords(LAMMPS *lmp, const std::string &command, int na
         for (const auto &m : gpudem::subModels(ModelSlot::Normal)) names.push_back(m.name);
         lmp->error->all(FLERR,
                         "{}: unknown word '{}'; known are the normal sub-models {}, and the keywords damping, "
-                        "tangential, rolling, twisting, cohesion, arm, coulomb, cutoff, limit_damping",
+                        "tangential, rolling, twisting, cohesion, arm, coulomb, cutoff, limit_damping (a material file is "
+                        "named *.gran)",
                         command, w, fmt::join(names, ", "));
       }
     }
@@ -186,6 +187,21 @@ int LAMMPS_NS::readGranularWords(LAMMPS *lmp, const std::string &command, int na
     lmp->error->all(FLERR, "{}: {}", command, e.what());
   }
   return reader.at();
+}
+
+std::string LAMMPS_NS::granularWords(const ContactModel &model)
+{
+  const auto words = [](const gpudem::SubModel &sub) {
+    std::string all = sub.name;
+    for (const double x : sub.parameter) all += std::isnan(x) ? " NULL" : fmt::format(" {}", x);
+    return all;
+  };
+  std::string all =
+      fmt::format("{} damping {} tangential {}", words(model.normal), model.damping.name, words(model.tangential));
+  if (model.rolling.name != "none") all += " rolling " + words(model.rolling);
+  if (model.twisting.name != "none") all += " twisting " + words(model.twisting);
+  if (model.limitDamping) all += " limit_damping";
+  return all;
 }
 
 StockNumbers LAMMPS_NS::stockNumbers(const ContactModel &model)

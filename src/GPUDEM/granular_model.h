@@ -24,6 +24,9 @@ struct GranularWords {
 int readGranularWords(LAMMPS *lmp, const std::string &command, int narg, char **arg, int first,
                       const std::vector<std::string> &stop, GranularWords &words);
 
+/// The words that readGranularWords reads as \p model, with all digits.
+std::string granularWords(const gpudem::ContactModel &model);
+
 /// LAMMPS 29 Sep 2021 numbers its sub-models so.
 struct StockNumbers {
   int normal = -1, damping = -1, tangential = -1, rolling = -1, twisting = -1;

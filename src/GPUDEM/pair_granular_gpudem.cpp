@@ -5,6 +5,7 @@
 #include "fix_neigh_history_gpudem.h"
 #include "gpudem_settings.h"
 #include "lammps_compat.h"
+#include "material_file.h"
 #include "resident_names.h"
 
 #include "atom.h"
@@ -30,22 +31,57 @@ void PairGranularGpudem::coeff(int narg, char **arg)
 {
   if (narg < 2) error->all(FLERR, "Pair_coeff: two type ranges are missing");
   if (!allocated) allocate();
+  if (narg > 2 && MaterialFile::isName(arg[2])) {
+    coeffOfMaterials(narg, arg);
+    return;
+  }
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
   GranularWords words;
   readGranularWords(lmp, "Pair_coeff", narg, arg, 2, {}, words);
-  int set = 0;
+  int pairs = 0;
   for (int i = ilo; i <= ihi; ++i)
     for (int j = std::max(jlo, i); j <= jhi; ++j) {
-      models_[{i, j}] = words.model;
-      mixed_[{i, j}] = false;
-      writeTables(i, j);
-      GpudemCompat::granularTables(this).cutoff[i][j] = GpudemCompat::granularTables(this).cutoff[j][i] = words.cutoff;
-      setflag[i][j] = 1;
-      ++set;
+      set(i, j, words.model, words.cutoff);
+      if (i == j) densities_.forget(i);
+      ++pairs;
     }
-  if (set == 0) error->all(FLERR, "Pair_coeff: the ranges {} and {} hold no pair of types i <= j", arg[0], arg[1]);
+  if (pairs == 0) error->all(FLERR, "Pair_coeff: the ranges {} and {} hold no pair of types i <= j", arg[0], arg[1]);
+}
+
+void PairGranularGpudem::set(int i, int j, const ContactModel &model, double cutoff)
+{
+  models_[{i, j}] = model;
+  mixed_[{i, j}] = false;
+  writeTables(i, j);
+  GpudemCompat::granularTables(this).cutoff[i][j] = GpudemCompat::granularTables(this).cutoff[j][i] = cutoff;
+  setflag[i][j] = 1;
+}
+
+/// pair_coeff * * file.gran NAME ...: a material or NULL for each type.
+void PairGranularGpudem::coeffOfMaterials(int narg, char **arg)
+{
+  if (strcmp(arg[0], "*") != 0 || strcmp(arg[1], "*") != 0)
+    error->all(FLERR, "Pair_coeff: a material file names all types: pair_coeff * * {} ..., not {} {}", arg[2], arg[0],
+               arg[1]);
+  if (narg != 3 + atom->ntypes)
+    error->all(FLERR, "Pair_coeff: after {} stands a material or NULL for each of the {} atom types, not {} words",
+               arg[2], atom->ntypes, narg - 3);
+  const MaterialFile file(lmp, "Pair_coeff", arg[2]);
+  const auto name = [&](int type) { return std::string(arg[2 + type]); };
+  int pairs = 0;
+  for (int i = 1; i <= atom->ntypes; ++i) {
+    if (name(i) == "NULL") continue;
+    densities_.expect(i, name(i), file.material(name(i)).density);
+    for (int j = i; j <= atom->ntypes; ++j) {
+      if (name(j) == "NULL") continue;
+      set(i, j, file.model(name(i), name(j), gpudem::Partner::Grain), -1.0);
+      utils::logmesg(lmp, "  types {} {}, {} {}: {}\n", i, j, name(i), name(j), granularWords(model(i, j)));
+      ++pairs;
+    }
+  }
+  if (pairs == 0) error->all(FLERR, "Pair_coeff: no type has a material of {}", arg[2]);
 }
 
 /// LAMMPS' numbers for the law of types i and j, so that its restart files and its own loop have the same law.
@@ -185,6 +221,7 @@ void PairGranularGpudem::init_style()
     comm->ghost_velocity = 1;
   }
   mixUnset();
+  densities_(lmp);
   arrangeHistory();
   beyond_contact = 0;
   for (const auto &entry : models_) beyond_contact |= gpudem::reachesBeyondTouch(entry.second) ? 1 : 0;

@@ -3,6 +3,7 @@
 #ifndef LMP_PAIR_GRANULAR_GPUDEM_H
 #define LMP_PAIR_GRANULAR_GPUDEM_H
 
+#include "density_check.h"
 #include "granular_model.h"
 #include "pair_granular.h"
 #include "resident.h"
@@ -39,6 +40,8 @@ class PairGranularGpudem : public PairGranular, public ResidentPair {
  private:
   const gpudem::ContactModel &model(int i, int j) const { return models_.at({std::min(i, j), std::max(i, j)}); }
   std::vector<gpudem::ContactModel> allModels() const;
+  void coeffOfMaterials(int narg, char **arg);
+  void set(int i, int j, const gpudem::ContactModel &model, double cutoff);
   void mixUnset();
   void writeTables(int i, int j);
   GranularWords readTables(int i, int j) const;
@@ -47,6 +50,7 @@ class PairGranularGpudem : public PairGranular, public ResidentPair {
 
   std::map<std::pair<int, int>, gpudem::ContactModel> models_;  ///< of types i <= j
   std::map<std::pair<int, int>, bool> mixed_;                   ///< the pair's law was mixed, not given
+  DensityCheck densities_;                                      ///< of types set by a material file
   gpudem::HistoryLayout layout_;                                ///< of the device
   std::vector<int> stockPlace_;                                 ///< where LAMMPS keeps each number
   int stockSize_ = 0;                                           ///< numbers LAMMPS keeps per contact

@@ -62,6 +62,9 @@ struct ContactModel {
   SubModel &slot(ModelSlot s) { return const_cast<SubModel &>(const_cast<const ContactModel *>(this)->slot(s)); }
 };
 
+/// \throws Error naming \p label, the parameter and its range
+void checkValue(const std::string &label, const ParameterInfo &info, double value);
+
 /// \throws Error naming the sub-model, the parameter and its range
 void checkModel(const ContactModel &model);
 

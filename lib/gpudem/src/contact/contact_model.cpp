@@ -47,14 +47,6 @@ std::string rangeText(const ParameterInfo &p)
   return fmt::format("must lie between {:g} and {:g}", p.low, p.high);
 }
 
-void checkValue(const std::string &model, const ParameterInfo &p, double value)
-{
-  if (p.derivable && std::isnan(value)) return;
-  if (!std::isfinite(value) || value < p.low || value > p.high)
-    throw Error(
-        fmt::format("{} {} = {:g} {}", model, p.name, value, std::isinf(value) ? "must be finite" : rangeText(p)));
-}
-
 ParameterInfo dampingOf(const ContactModel &model)
 {
   return subModel(ModelSlot::Damping, model.damping.name).parameters[0];
@@ -114,6 +106,14 @@ const SubModel &ContactModel::slot(ModelSlot s) const
       break;
   }
   return cohesion;
+}
+
+void checkValue(const std::string &label, const ParameterInfo &info, double value)
+{
+  if (info.derivable && std::isnan(value)) return;
+  if (!std::isfinite(value) || value < info.low || value > info.high)
+    throw Error(fmt::format("{} {} = {:g} {}", label, info.name, value,
+                            std::isinf(value) ? "must be finite" : rangeText(info)));
 }
 
 void checkModel(const ContactModel &model)

@@ -178,4 +178,27 @@ TEST(ThorntonNing, BranchesMeet)
   EXPECT_TRUE(near(c.push(3.0 * overlap), top, exact(top))) << "reloading is elastic";
 }
 
+/// Counted from where the attraction is strongest: zero on the adhesive branch, whatever the dashpot adds to the force.
+TEST(PlasticNormals, CoulombLimitCountsFromTheAdhesiveBranch)
+{
+  const auto limit = [](ContactModel m, double pressed, double overlap) {
+    m.damping.name = "velocity";
+    m.normal.parameter[1] = 10.0;
+    m.tangential = {"linear_history", {1e9, 0.0, 0.5}};
+    Contacting c(m);
+    c.push(pressed);
+    ContactState s = c.state(overlap);
+    s.relativeVelocity[0] = 1.0;
+    s.relativeVelocity[1] = 1.0;
+    return -c.evaluate(s).friction[1];
+  };
+  const ContactModel soft = luding(5e3, 0.0), pasty = undamped("eepa", {1e4, 0.0, 4e4, 5e3, 3.0});
+  EXPECT_TRUE(near(limit(soft, 0.0, 0.02), 0.5 * (200.0 + 100.0), exact(200.0)));
+  EXPECT_TRUE(near(limit(soft, 0.02, 0.015), 0.5 * 75.0, exact(200.0)));
+  EXPECT_TRUE(near(limit(soft, 0.02, 0.005), 0.0, exact(200.0)));
+  EXPECT_TRUE(near(limit(pasty, 0.0, 0.02), 0.5 * 1.5e4 * std::pow(0.02, 1.5), exact(200.0)));
+  EXPECT_TRUE(near(limit(pasty, 0.02, 0.005), 0.0, exact(200.0)));
+  EXPECT_TRUE(near(limit(luding(0.0, 0.0), 0.0, 0.02), 0.5 * 190.0, exact(200.0))) << "no adhesion: the whole force";
+}
+
 }  // namespace

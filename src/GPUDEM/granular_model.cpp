@@ -76,6 +76,15 @@ class WordReader {
     return std::stod(w);
   }
 
+  /// A choice of two words: is it the second?
+  bool second(const std::string &keyword, const std::string &one, const std::string &other)
+  {
+    const std::string w = word(fmt::format("{} or {} of {}", one, other, keyword));
+    if (w != one && w != other)
+      lmp_->error->all(FLERR, "{}: {} is {} or {}, not '{}'", command_, keyword, one, other, w);
+    return w == other;
+  }
+
  private:
   static bool isNumber(const std::string &w)
   {
@@ -150,16 +159,22 @@ int LAMMPS_NS::readGranularWords(LAMMPS *lmp, const std::string &command, int na
       if (slotWord) continue;
       if (w == "cutoff") words.cutoff = reader.number("the distance of cutoff");
       else if (w == "limit_damping") model.limitDamping = true;
+      else if (w == "arm") model.slipLever = reader.second(w, "lammps", "contact_point") ? 0.5 : 0.0;
+      else if (w == "coulomb")
+        model.coulombBase =
+            reader.second(w, "contact", "net") ? gpudem::CoulombBase::Net : gpudem::CoulombBase::Contact;
       else if (w == "heat" && !reader.done() && reader.peek() == "none") reader.word("none");
       else if (w == "heat" || w == "synchronized_verlet")
         lmp->error->all(FLERR, "{}: keyword '{}' is not available", command, w);
       else {
         std::vector<std::string> names;
         for (const auto &m : gpudem::subModels(ModelSlot::Normal)) names.push_back(m.name);
-        lmp->error->all(FLERR,
-                        "{}: unknown word '{}'; known are the normal sub-models {}, and the keywords damping, "
-                        "tangential, rolling, twisting, cutoff, limit_damping (a material file is named *.gran)",
-                        command, w, fmt::join(names, ", "));
+        lmp->error->all(
+            FLERR,
+            "{}: unknown word '{}'; known are the normal sub-models {}, and the keywords damping, "
+            "tangential, rolling, twisting, cohesion, arm, coulomb, cutoff, limit_damping (a material file is "
+            "named *.gran)",
+            command, w, fmt::join(names, ", "));
       }
     }
     if (!normal)
@@ -186,6 +201,9 @@ std::string LAMMPS_NS::granularWords(const ContactModel &model)
       fmt::format("{} damping {} tangential {}", words(model.normal), model.damping.name, words(model.tangential));
   if (model.rolling.name != "none") all += " rolling " + words(model.rolling);
   if (model.twisting.name != "none") all += " twisting " + words(model.twisting);
+  if (model.cohesion.name != "none") all += " cohesion " + words(model.cohesion);
+  if (model.slipLever != 0.0) all += " arm contact_point";
+  if (model.coulombBase == gpudem::CoulombBase::Net) all += " coulomb net";
   if (model.limitDamping) all += " limit_damping";
   return all;
 }
@@ -199,7 +217,8 @@ StockNumbers LAMMPS_NS::stockNumbers(const ContactModel &model)
   n.tangential = indexOf(stockTangential, model.tangential.name == "none" ? "linear_nohistory" : model.tangential.name);
   n.rolling = indexOf(stockRolling, model.rolling.name);
   n.twisting = indexOf(stockTwisting, model.twisting.name);
-  n.known = n.normal >= 0 && n.damping >= 0 && n.tangential >= 0 && n.rolling >= 0 && n.twisting >= 0;
+  const bool stock = model.cohesion.name == "none" && model.slipLever == 0.0;
+  n.known = stock && n.normal >= 0 && n.damping >= 0 && n.tangential >= 0 && n.rolling >= 0 && n.twisting >= 0;
   return n;
 }
 

@@ -3,6 +3,7 @@
 #include "lammps_compat.h"
 
 #include "pair_granular.h"
+#include "pair_hybrid.h"
 
 using namespace LAMMPS_NS;
 
@@ -44,6 +45,9 @@ GPUDEM_EXPOSE(GranularNormalHistory, PairGranular, int, normal_history);
 GPUDEM_EXPOSE(GranularTangentialHistory, PairGranular, int, tangential_history);
 GPUDEM_EXPOSE(GranularRollHistory, PairGranular, int, roll_history);
 GPUDEM_EXPOSE(GranularTwistHistory, PairGranular, int, twist_history);
+GPUDEM_EXPOSE(HybridCount, PairHybrid, int, nstyles);
+GPUDEM_EXPOSE(HybridStyles, PairHybrid, Pair **, styles);
+GPUDEM_EXPOSE(HybridNames, PairHybrid, char **, keywords);
 #undef GPUDEM_EXPOSE
 }  // namespace
 
@@ -88,4 +92,13 @@ void GpudemCompat::setGranularHistory(PairGranular *pair, bool tangential, bool 
   pair->*reach(GranularTangentialHistory{}) = tangential;
   pair->*reach(GranularRollHistory{}) = roll;
   pair->*reach(GranularTwistHistory{}) = twist;
+}
+
+Pair *GpudemCompat::soleSubStyle(PairHybrid *hybrid, int types)
+{
+  if (hybrid->*reach(HybridCount{}) != 1) return nullptr;
+  for (int i = 1; i <= types; ++i)
+    for (int j = i; j <= types; ++j)
+      if (!hybrid->check_ijtype(i, j, (hybrid->*reach(HybridNames{}))[0])) return nullptr;
+  return (hybrid->*reach(HybridStyles{}))[0];
 }

@@ -24,7 +24,9 @@
 namespace LAMMPS_NS {
 class Compute;
 class Fix;
+class Pair;
 class PairGranular;
+class PairHybrid;
 
 namespace GpudemCompat {
 
@@ -46,6 +48,9 @@ struct GranularTables {
 GranularTables granularTables(PairGranular *pair);
 /// Which slots keep something, as pair_coeff would have found.
 void setGranularHistory(PairGranular *pair, bool tangential, bool roll, bool twist);
+
+/// The sub-style of a hybrid that has only one and uses it for all pairs of \p types types, else null.
+Pair *soleSubStyle(PairHybrid *hybrid, int types);
 
 /// Formula of an equal-style variable, empty if \p index is of another style.
 std::string equalFormula(Variable *variable, int index);

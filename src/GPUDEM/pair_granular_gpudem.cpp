@@ -190,7 +190,11 @@ std::vector<ContactModel> PairGranularGpudem::allModels() const
 /// Where the device's numbers lie among LAMMPS', which has a gap of one number per type that rescales.
 void PairGranularGpudem::arrangeHistory()
 {
-  layout_ = gpudem::historyLayout(allModels());
+  try {
+    layout_ = gpudem::historyLayout(allModels());
+  } catch (const gpudem::Error &e) {
+    error->all(FLERR, "Pair granular: {}", e.what());
+  }
   stockKnows_ = true;
   for (const auto &entry : models_) stockKnows_ = stockKnows_ && stockNumbers(entry.second).known;
   const auto length = [&](ModelSlot slot) { return layout_.length[static_cast<int>(slot)]; };
@@ -317,7 +321,7 @@ double PairGranularGpudem::single(int i, int j, int itype, int jtype, double rsq
       break;
     }
   }
-  const double limit = reach + (held ? gpudem::pullOffGap(law, effective) : 0.0);
+  const double limit = reach + (held || gpudem::actsBeforeTouch(law) ? gpudem::pullOffGap(law, effective) : 0.0);
   if (rsq > limit * limit) return 0.0;
 
   gpudem::ContactState s{};
@@ -335,6 +339,11 @@ double PairGranularGpudem::single(int i, int j, int itype, int jtype, double rsq
   s.overlap = reach - distance;
   s.effectiveRadius = effective;
   s.radius = ri;
+  s.partnerRadius = rj;
+  const double mine = mi * ri * ri, other = mj * rj * rj;
+  s.inertia = mine * other / (mine + other);
+  if (atom->mask[i] & freeze_group_bit) s.inertia = other;
+  if (atom->mask[j] & freeze_group_bit) s.inertia = mine;
   const gpudem::ContactResult r = gpudem::evaluateContact(law, layout_, s, kept.data(), 0.0);
   fforce = r.push / distance;
   const auto length = [](const double *a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); };

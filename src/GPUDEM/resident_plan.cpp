@@ -15,13 +15,12 @@
 #include "compute.h"
 #include "domain.h"
 #include "force.h"
-#include "group.h"
 #include "lammps.h"
 #include "modify.h"
 #include "neigh_request.h"
 #include "neighbor.h"
 #include "output.h"
-#include "pair.h"
+#include "pair_hybrid.h"
 #include "update.h"
 
 #include <fmt/format.h>
@@ -34,6 +33,21 @@ using namespace FixConst;
 
 namespace {
 
+/// The pair style that the device is to evaluate: the pair style itself, or the only sub-style of a hybrid that uses it
+/// for all types. Null if there is none.
+ResidentPair *residentPair(LAMMPS *lmp)
+{
+  auto *hybrid = dynamic_cast<PairHybrid *>(lmp->force->pair);
+  return dynamic_cast<ResidentPair *>(hybrid ? GpudemCompat::soleSubStyle(hybrid, lmp->atom->ntypes)
+                                             : lmp->force->pair);
+}
+
+/// fix balance moves sub-domains, not particles or faces of the box: on one rank it has nothing to do.
+bool balances(const Fix *fix)
+{
+  return strcmp(fix->style, "balance") == 0;
+}
+
 /// First obstacle to residency, empty if there is none.
 std::string obstacle(LAMMPS *lmp)
 {
@@ -41,7 +55,7 @@ std::string obstacle(LAMMPS *lmp)
   if (lmp->comm->nprocs > 1) return "several MPI ranks share the box: this run uses LAMMPS' own loop on every rank";
   if (lmp->domain->triclinic) return "the box is triclinic";
   if (!force->pair) return "there is no pair style";
-  const auto *pair = dynamic_cast<ResidentPair *>(force->pair);
+  const ResidentPair *pair = residentPair(lmp);
   if (!pair) return fmt::format("pair style {} has no device version", force->pair_style);
   if (!pair->obstacle().empty()) return pair->obstacle();
   if (!force->pair->compute_flag) return "pair_modify compute no";
@@ -53,12 +67,10 @@ std::string obstacle(LAMMPS *lmp)
   if (lmp->neighbor->includegroup) return "neigh_modify include is set";
   if (lmp->neighbor->nex_mol) return "neigh_modify exclude molecule is set";
   if (lmp->neighbor->nex_group > gpudem::maxGroupExclusions) return "there are too many neigh_modify exclude group";
-  for (int g = 0; g < lmp->group->ngroup; ++g)
-    if (lmp->group->dynamic[g]) return fmt::format("group {} is dynamic", lmp->group->names[g]);
   for (int k = 0; k < lmp->modify->nfix; ++k) {
     const Fix *fix = lmp->modify->fix[k];
     if (fix->rigid_flag) return fmt::format("fix {} ({}) moves rigid bodies", fix->id, fix->style);
-    if (fix->box_change) return fmt::format("fix {} ({}) changes the box", fix->id, fix->style);
+    if (fix->box_change && !balances(fix)) return fmt::format("fix {} ({}) changes the box", fix->id, fix->style);
   }
   return "";
 }
@@ -105,6 +117,16 @@ void classify(LAMMPS *lmp, ResidentPlan &plan)
     const int mask = modify->fmask[k];
     if (auto *history = dynamic_cast<FixNeighHistoryGpudem *>(fix)) {
       plan.history = history;
+      continue;
+    }
+    if (balances(fix)) {
+      plan.skipped.push_back(fmt::format("fix {} (balance), on one rank", fix->id));
+      continue;
+    }
+    if (strcmp(fix->style, "GROUP") == 0) {
+      plan.groups.push_back(fix);
+      plan.onHost.push_back(fmt::format("members of group {} on the host at every {} steps", fix->id + strlen("GROUP_"),
+                                        std::max(1, fix->nevery)));
       continue;
     }
     std::string why;
@@ -162,7 +184,7 @@ void checkLists(LAMMPS *lmp, ResidentPlan &plan)
 {
   for (int k = 0; k < lmp->neighbor->old_nrequest; ++k) {
     const NeighRequest *r = lmp->neighbor->old_requests[k];
-    if (r->requestor == lmp->force->pair) continue;
+    if (r->requestor == lmp->force->pair || r->requestor == dynamic_cast<Pair *>(plan.pair)) continue;
     plan.hostLists = true;
   }
   for (int k = 0; k < lmp->modify->ncompute; ++k) {
@@ -196,7 +218,7 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
   plan.reason = obstacle(lmp);
   if (!plan.reason.empty()) return plan;
 
-  plan.pair = dynamic_cast<ResidentPair *>(lmp->force->pair);
+  plan.pair = residentPair(lmp);
   gpudem::SceneSpec &scene = plan.scene;
   scene.types = lmp->atom->ntypes;
   plan.pair->describeLaws(scene);

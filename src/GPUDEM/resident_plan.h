@@ -34,6 +34,7 @@ struct ResidentPlan {
   bool hostForces = false;           ///< a host fix acts at pre_force, pre_reverse or post_force
   bool hostRebuilds = false;         ///< a host fix acts at every reneighbouring
   std::vector<Fix *> scheduled;      ///< fixes that ask for reneighbouring at a step of their choice
+  std::vector<Fix *> groups;         ///< LAMMPS' internal fixes that choose the members of dynamic groups
   std::vector<int> endOfStep;        ///< periods of the host fixes that act at end_of_step
   bool hostLists = false;            ///< a host style asked for a neighbour list
   bool thermoOnDevice = true;        ///< thermodynamic output needs no particle on the host

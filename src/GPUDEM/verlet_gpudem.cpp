@@ -102,6 +102,7 @@ bigint VerletGpudem::nextEvent(bigint last) const
   for (const Fix *fix : plan.scheduled)
     if (fix->next_reneighbor > now) event = std::min(event, fix->next_reneighbor);
   for (const int period : plan.endOfStep) event = std::min(event, (now / period + 1) * period);
+  for (const Fix *fix : plan.groups) event = std::min(event, (now / fix->nevery + 1) * fix->nevery);
   return event;
 }
 
@@ -154,10 +155,14 @@ void VerletGpudem::eventStep(bigint step)
 {
   ev_set(step);
   timer->stamp();
-  if (plan.hostIntegrates) {
+  const bool regroup =
+      std::any_of(plan.groups.begin(), plan.groups.end(), [&](const Fix *fix) { return step % fix->nevery == 0; });
+  if (plan.hostIntegrates || regroup) {
     state.hostSection([&] {
-      modify->initial_integrate(vflag);
-      if (modify->n_post_integrate) modify->post_integrate();
+      if (plan.hostIntegrates) modify->initial_integrate(vflag);
+      if (plan.hostIntegrates && modify->n_post_integrate) modify->post_integrate();
+      else
+        for (Fix *fix : plan.groups) fix->post_integrate();
     });
     rowsDue = state.toDevice() || rowsDue;
     timer->stamp(Timer::MODIFY);
@@ -211,7 +216,10 @@ void VerletGpudem::publish(const gpudem::Recording &record)
 {
   sumsStep = -1;
   const gpudem::Observables &seen = state.engine().observables();
-  if (record.virial || eflag) plan.pair->setVirial(seen.virial);
+  if (record.virial || eflag) {
+    plan.pair->setVirial(seen.virial);
+    std::copy(seen.virial.begin(), seen.virial.end(), force->pair->virial);  // of a hybrid that wraps the pair style
+  }
   for (ResidentFix *fix : plan.fixes)
     if (fix->term >= 0) fix->setForceBefore(seen.termForce[fix->term]);
 }

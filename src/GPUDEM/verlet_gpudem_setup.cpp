@@ -12,6 +12,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "fix.h"
 #include "force.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -152,6 +153,7 @@ void VerletGpudem::setupResident(int flag)
   modify->setup_post_neighbor();
   neighbor->ncalls = neighbor->ndanger = 0;
 
+  for (Fix *fix : plan.groups) fix->setup(0);  // before the force asks who belongs to them
   state.uploadAll(plan);
   state.engine().rebuild(state.box());
   rowsDue = false;
@@ -169,7 +171,7 @@ void VerletGpudem::setupResident(int flag)
   modify->setup_pre_reverse(eflag, vflag);
   if (plan.onHost.empty()) modify->setup(vflag);
   else state.hostSection([&] { modify->setup(vflag); });
-  state.toDevice();
+  rowsDue = state.toDevice();
 
   if (output->ndump || !plan.thermoOnDevice) {
     state.toHost(gpudem::fieldDynamic);

@@ -41,7 +41,7 @@ WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg) : words_(arg, ar
     } else {
       next = readGranularWords(lmp, "Fix wall/gran", narg, arg, 4, stop, words);
     }
-    words.model.lever = 0.0;  // LAMMPS' torque arm at walls is the radius
+    if (words.model.slipLever == 0.0) words.model.lever = 0.0;  // LAMMPS' torque arm at walls is the radius
     stockKnows = stockNumbers(words.model).known;
     const bool asStock = gpudemSettings(lmp).conventions == "lammps" && stockKnows;
     model = asStock ? stockWallModel(words.model) : words.model;

@@ -69,6 +69,14 @@ CASES = {
         "wall_region": Case(NVE + DOWN + "region can cylinder z 3.6 3.6 3.5 0.05 8.0 side in units box\n"
                             "fix r all wall/gran/region hooke/history 2.0e4 NULL 50.0 NULL 0.5 1 region can\n",
                             cloud=dict(margin=(0.05, 0.05, 0.8)), scene=dict(boundary="f f f"), log=("wall/gran/region",)),
+        "dynamic_group": Case("region low block INF INF INF INF INF 3.0 units box\ngroup low dynamic all region low every 10\n" + NVE +
+                              "fix g low gravity 30.0 vector 0 0 -1\ncompute n low reduce max z\n", log=("members of group low",),
+                              thermo=" c_n"),
+        "dynamic_group_of_a_variable": Case("variable fast atom vx>1.0\ngroup quick dynamic all var fast every 7\n" + NVE +
+                                            "fix drag quick viscous 3.0\n", log=("members of group quick",)),
+        "balance_on_one_rank": Case("fix even all balance 20 1.0 shift xy 5 1.1\n" + NVE, log=("(balance), on one rank",)),
+        "hybrid_of_one": Case(scene=dict(pair="hybrid gran/hooke/history 2.0e4 NULL 50.0 NULL 0.5 1",
+                                         coeff=("* * gran/hooke/history",)), thermo=" press"),
         "wall_reflect": Case(NVE + "fix bounce all wall/reflect zlo 0.02 zhi EDGE\n", scene=dict(boundary="p p f"),
                              cloud=dict(margin=(0, 0, 0.3)), log=("wall/reflect",)),
         "drag_and_region_setforce": Case(NVE + "region half block INF INF INF INF INF 3.0 units box\n"

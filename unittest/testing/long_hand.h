@@ -5,6 +5,7 @@
 #pragma once
 
 #include "gpudem/contact_model.h"
+#include "testing/long_hand_further.h"
 
 #include <algorithm>
 #include <array>
@@ -36,8 +37,8 @@ inline Triple sum(const Triple &a, const Triple &b)
 
 /// What the contact keeps, by its meaning.
 struct LongHandHistory {
-  Triple slip{}, roll{};  ///< slip: displacement, or force for mindlin/force
-  double largestRadius = 0, twist = 0;
+  Triple slip{}, roll{};                             ///< slip: displacement, or force for mindlin/force
+  double largestRadius = 0, twist = 0, largest = 0;  ///< largest: overlap, or its power
 };
 
 struct LongHandResult {
@@ -100,15 +101,59 @@ inline Triple longHandSlider(Triple &kept, const Triple &n, const Triple &rate, 
   return total;
 }
 
+/// LIGGGHTS' tangential history: the spring alone is clipped, and is the whole friction then.
+inline Triple longHandLiggghts(Triple &kept, const Triple &n, const Triple &rate, double k, double eta, double limit,
+                               double dt)
+{
+  if (dt > 0.0) {
+    kept = sum(kept, along(rate, dt));
+    kept = sum(kept, along(n, -inner(kept, n)));
+  }
+  Triple force = along(kept, -k);
+  if (norm(force) <= limit) return sum(force, along(rate, -eta));
+  force = along(force, limit / norm(force));
+  kept = along(force, -1.0 / k);
+  return force;
+}
+
+/// LIGGGHTS' rolling epsd, epsd2, epsd3. \param kept torque of the spring
+inline Triple longHandEpsd(const ContactModel &m, const ContactState &s, Triple &kept, const Triple &roll, double kn,
+                           double kt, double base, double dt)
+{
+  const std::vector<double> &p = m.rolling.parameter;
+  const double radius = s.effectiveRadius, factor = m.rolling.name == "epsd3" ? p[2] : 2.25;
+  const double kr = m.rolling.name == "epsd2" ? kt * radius * radius : factor * kn * std::pow(p[0] * radius, 2.0);
+  kept = sum(kept, along(roll, -kr * dt));
+  const double limit = p[0] * radius * base;
+  if (norm(kept) > limit) return kept = along(kept, limit / norm(kept));
+  if (m.rolling.name == "epsd2") return kept;
+  return sum(kept, along(roll, -p[1] * 2.0 * std::sqrt(1.4 * s.inertia * kr)));
+}
+
 inline LongHandResult longHand(const ContactModel &m, const ContactState &s, LongHandHistory &h, double dt)
 {
   LongHandResult r{};
   const auto triple = [](const double *v) { return Triple{v[0], v[1], v[2]}; };
   const Triple branch = triple(s.branch), n = along(branch, 1.0 / norm(branch)), v = triple(s.relativeVelocity);
   const double vn = inner(v, n), delta = s.overlap, radius = s.effectiveRadius;
-  const Triple slip = sum(sum(v, along(n, -vn)), along(outer(triple(s.surfaceSpin), n), -1.0));
+  // the spins of both grains, and the surfaces' velocity with the arms of the slip velocity
+  const double reach = s.radius + s.partnerRadius;
+  const Triple spin = triple(s.spinDifference), both = triple(s.surfaceSpin);
+  const Triple wi = along(sum(both, along(spin, s.partnerRadius)), 1.0 / reach);
+  const Triple wj = along(sum(both, along(spin, -s.radius)), 1.0 / reach);
+  const Triple surface =
+      sum(along(wi, s.radius - m.slipLever * delta), along(wj, s.partnerRadius - m.slipLever * delta));
+  const Triple slip = sum(sum(v, along(n, -vn)), along(outer(surface, n), -1.0));
   const std::string &normal = m.normal.name;
   const std::vector<double> &p = m.normal.parameter;
+
+  const double cohesion = longHandCohesion(m.cohesion, s);
+  if (delta < 0.0 && normal != "jkr") {  // a bridge, and nothing that needs touch
+    h = {};
+    r.push = cohesion;
+    r.force = along(n, cohesion);
+    return r;
+  }
 
   // normal force
   double young = 0.0, shear = 0.0, elastic, stiffness, pullOff = 0.0, a = std::sqrt(std::max(0.0, delta * radius));
@@ -116,7 +161,16 @@ inline LongHandResult longHand(const ContactModel &m, const ContactState &s, Lon
     young = 1.0 / (2.0 * (1.0 - p[2] * p[2]) / p[0]);
     shear = 1.0 / (2.0 * (2.0 - p[2]) / (p[0] / (2.0 * (1.0 + p[2]))));
   }
-  if (normal == "hooke") {
+  LongHandNormal further{};
+  const bool isFurther = normal == "luding" || normal == "thornton_ning" || normal.find("eepa") == 0;
+  if (isFurther) {
+    if (normal == "luding") further = longHandLuding(p, delta, radius, h.largest);
+    else if (normal == "thornton_ning") further = longHandThorntonNing(young, p[3], delta, radius, h.largest);
+    else further = longHandEepa(p, normal == "eepa" ? 1.5 : 1.0, delta, radius, h.largest);
+    elastic = further.elastic;
+    stiffness = further.stiffness;
+    a = further.contactRadius;
+  } else if (normal == "hooke") {
     stiffness = p[0];
     elastic = p[0] * delta;
   } else if (normal == "jkr") {
@@ -132,11 +186,15 @@ inline LongHandResult longHand(const ContactModel &m, const ContactState &s, Lon
     if (normal == "dmt") pullOff = 4.0 * circle * p[3] * radius;
     elastic -= pullOff;
   }
-  const double eta = longHandDamping(m.damping.name, p[1], s.effectiveMass, a, stiffness, normal == "hooke");
+  const double eta = longHandDamping(m.damping.name, p[1], s.effectiveMass, a, stiffness,
+                                     normal == "hooke" || normal == "luding" || normal == "eepa/linear");
   r.push = elastic - eta * vn;
   if (m.limitDamping) r.push = std::max(0.0, r.push);
   const bool adhesive = normal == "jkr" || normal == "dmt";
-  const double base = adhesive ? std::abs(elastic + 2.0 * pullOff) : std::abs(r.push);
+  double base = adhesive ? std::abs(elastic + 2.0 * pullOff) : std::abs(r.push);
+  if (further.adhesive) base = std::abs(elastic + further.loss);
+  r.push += cohesion;
+  if (m.coulombBase == CoulombBase::Net) base = std::abs(r.push);
   r.contactRadius = a;
 
   // friction
@@ -152,18 +210,24 @@ inline LongHandResult longHand(const ContactModel &m, const ContactState &s, Lon
     mu = t[2];
     etat = t[1] * eta;
     kt = std::isnan(t[0]) ? 8.0 * shear : t[0];
-    if (tangential != "linear_history") kt *= a;
+    if (std::isnan(t[1])) etat = eta * std::sqrt(8.0 * shear / (2.0 * young));  // sqrt(S_t/S_n)
+    if (tangential.find("linear_history") == std::string::npos) kt *= a;
     if (tangential.find("rescale") != std::string::npos) {
       if (a < h.largestRadius) h.slip = along(h.slip, a / h.largestRadius);
       if (dt > 0.0) h.largestRadius = a;
     }
-    r.friction =
-        longHandSlider(h.slip, n, slip, kt, etat, mu * base, dt, tangential.find("/force") != std::string::npos);
+    if (tangential.find("liggghts") == 0) r.friction = longHandLiggghts(h.slip, n, slip, kt, etat, mu * base, dt);
+    else
+      r.friction =
+          longHandSlider(h.slip, n, slip, kt, etat, mu * base, dt, tangential.find("/force") != std::string::npos);
   }
   r.limit = mu * base;
 
   // rolling: velocity R* (w_i - w_j) x n, torque R* n x F
-  const Triple spin = triple(s.spinDifference);
+  const Triple roll = sum(spin, along(n, -inner(spin, n)));
+  if (m.rolling.name == "cdt" && norm(spin) > 0.0)
+    r.rolling = along(roll, -m.rolling.parameter[0] * radius * std::abs(elastic) / norm(spin));
+  if (m.rolling.name.find("epsd") == 0) r.rolling = longHandEpsd(m, s, h.roll, roll, stiffness, kt, base, dt);
   if (m.rolling.name == "sds") {
     const std::vector<double> &q = m.rolling.parameter;
     const Triple rate = along(outer(spin, n), radius);

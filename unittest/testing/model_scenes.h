@@ -48,6 +48,39 @@ inline ContactModel asWall(ContactModel m)
   return m;
 }
 
+/// Plastic and wet: liquid bridges outlive touch, conventions of LIGGGHTS.
+inline ContactModel wetModel()
+{
+  ContactModel m;
+  m.normal = {"luding", {1.5e4, 0.6, 3e4, 3e3, 0.05}};
+  m.damping.name = "coeff_restitution";
+  m.tangential = {"liggghts_linear_history", {6e3, 0.5, 0.4}};
+  m.rolling = {"epsd", {0.2, 0.3}};
+  m.twisting = {"sds", {50.0, 0.2, 0.05}};
+  m.cohesion = {"capillary", {8.0, 30.0, 3e-4}};
+  m.slipLever = 0.5;
+  m.coulombBase = CoulombBase::Net;
+  return m;
+}
+/// Yields, and attracts before touch.
+inline ContactModel dustModel()
+{
+  ContactModel m = stiffMaterial();
+  m.normal = {"thornton_ning", {5e5, 0.6, 0.3, 5e4}};
+  m.tangential = {"liggghts_history", {std::nan(""), std::nan(""), 0.4}};
+  m.rolling = {"cdt", {0.1}};
+  m.cohesion = {"vdw", {0.05, 0.02, 0.08}};
+  return m;
+}
+inline ContactModel clayModel()
+{
+  ContactModel m = springModel();
+  m.normal = {"eepa", {5e4, 5.0, 1.5e5, 2e4, 2.0}};
+  m.rolling = {"epsd2", {0.2}};
+  m.cohesion = {"sjkr", {50.0}};
+  return m;
+}
+
 inline std::vector<ModelScene> modelScenes()
 {
   const ContactModel a = stiffMaterial(), b = stiffMaterial(1e6, 0.2, 0.8);
@@ -68,6 +101,12 @@ inline std::vector<ModelScene> modelScenes()
   ContactModel stiff = a;
   stiff.normal = {"dmt", {5e5, 10.0, 0.3, 5.0}};
   stiff.damping.name = "viscoelastic";
+  const ContactModel wet = wetModel(), dust = dustModel(), clay = clayModel();
+  ContactModel mud = a;
+  mud.normal = {"eepa/linear", {1.5e4, 0.6, 4e4, 5e3, 1.0}};
+  mud.tangential = {"mindlin", {6e4, 0.5, 0.4}};
+  mud.rolling = {"epsd3", {0.2, 0.3, 1.0}};
+  mud.cohesion = {"sjkr2", {50.0}};
   return {
       {"material, rolling, twisting", {a, a, a}, asWall(a), {true, true, true}},
       {"two materials, walls in z", {a, mixModels(a, b), b}, asWall(b), {true, true, false}},
@@ -80,6 +119,10 @@ inline std::vector<ModelScene> modelScenes()
       {"adhesive cylinder", {a, a, a}, asWall(sticky), {false, false, true}, true},
       {"gran/ pairs, adhesive walls", {}, asWall(sticky), {false, true, false}},
       {"adhesive pairs, gran/ walls", {sticky, sticky, sticky}, {}, {false, true, false}},
+      {"bridges and plastic loading", {wet, wet, wet}, wet, {true, false, false}},
+      {"attraction before touch, cylinder", {dust, dust, dust}, dust, {false, false, false}, true},
+      {"clay, dust and bridges", {clay, dust, wet}, clay, {true, true, false}},
+      {"linear eepa beside jkr", {mud, mud, dry}, asWall(mud), {true, true, false}},
   };
 }
 

@@ -105,7 +105,7 @@ void Oracle::pairForce(std::size_t i, std::size_t j, bool advance)
   if (!scene_.pairModels.empty())
     model = &scene_.pairModels[static_cast<std::size_t>((g.type[i] - 1) * scene_.types + g.type[j] - 1)];
   double limit = reach;
-  if (held && model) limit += pullOffGap(*model, g.radius[i] * g.radius[j] / reach);
+  if (model && (held || actsBeforeTouch(*model))) limit += pullOffGap(*model, g.radius[i] * g.radius[j] / reach);
   if (r2 >= limit * limit) {
     kept.erase(key);
     return;
@@ -176,6 +176,11 @@ void Oracle::addModelForce(std::size_t i, std::size_t j, const ContactModel &mod
   state.effectiveRadius = c.effectiveRadius;
   state.effectiveMass = c.effectiveMass;
   state.radius = g.radius[i];
+  state.partnerRadius = g.radius[j];
+  const double mine = g.mass[i] * g.radius[i] * g.radius[i], other = g.mass[j] * g.radius[j] * g.radius[j];
+  state.inertia = mine * other / (mine + other);
+  if (g.mask[i] & scene_.frozenMask) state.inertia = other;
+  if (g.mask[j] & scene_.frozenMask) state.inertia = mine;
   const ContactResult r = evaluateContact(model, layout_, state, numbers, advance ? scene_.timestep : 0.0);
   const Vec3<double> n{r.normal[0], r.normal[1], r.normal[2]}, friction{r.friction[0], r.friction[1], r.friction[2]};
   const Vec3<double> couple = cross(n, friction);

@@ -13,7 +13,8 @@ namespace {
 
 std::string nameOf(const ContactModel &m)
 {
-  return m.normal.name + " " + m.damping.name + " " + m.tangential.name + " " + m.rolling.name + " " + m.twisting.name;
+  return m.normal.name + " " + m.damping.name + " " + m.tangential.name + " " + m.rolling.name + " " + m.twisting.name +
+         " " + m.cohesion.name;
 }
 
 template <class Real>
@@ -72,6 +73,8 @@ void expectSameBits(const ContactModel &names, Dice &dice)
       model.slot(slot) = {names.slot(slot).name, randomParameters(dice, slot, names.slot(slot).name, material)};
     }
     model.normal.parameter[1] = randomDamping(dice, model.damping.name);
+    model.slipLever = 0.0;  // which no compiled product takes
+    model.coulombBase = CoulombBase::Contact;
     const ModelCoefficients<Real> c = coefficients<Real>(model);
     const HistoryLayout layout = historyLayout({model});
     const std::vector<double> start = randomHistory(dice, model, layout);
@@ -90,7 +93,7 @@ void expectSameBits(const ContactModel &names, Dice &dice)
   }
 }
 
-template <class N, class D, class T, class R, class W>
+template <class N, class D, class T, class R, class W, class C = NoCohesion>
 void expectSameBits(unsigned seed)
 {
   ContactModel names;
@@ -99,9 +102,10 @@ void expectSameBits(unsigned seed)
   names.tangential.name = T::name;
   names.rolling.name = R::name;
   names.twisting.name = W::name;
+  names.cohesion.name = C::name;
   Dice dice(seed);
-  expectSameBits<Product<N, D, T, R, W>, float>(names, dice);
-  expectSameBits<Product<N, D, T, R, W>, double>(names, dice);
+  expectSameBits<Product<N, D, T, R, W, C>, float>(names, dice);
+  expectSameBits<Product<N, D, T, R, W, C>, double>(names, dice);
 }
 
 /// Every sub-model is in one product at least.
@@ -116,6 +120,13 @@ TEST(ContactModel, ChosenAtRunTimeGivesTheBitsOfTheCompiledProduct)
   expectSameBits<DmtNormal, ViscoelasticDamping, MindlinRescaleTangential, SdsRolling, SdsTwisting>(7);
   expectSameBits<JkrNormal, ViscoelasticDamping, MindlinTangential, SdsRolling, MarshallTwisting>(8);
   expectSameBits<JkrNormal, RestitutionDamping, ViscousTangential, NoRolling, NoTwisting>(9);
+  expectSameBits<LudingNormal, RestitutionDamping, LinearHistoryTangential, CdtRolling, SdsTwisting, SjkrCohesion>(10);
+  expectSameBits<ThorntonNingNormal, TsujiDamping, LiggghtsHistoryTangential, EpsdRolling, MarshallTwisting,
+                 VdwCohesion>(11);
+  expectSameBits<EepaNormal, VelocityDamping, LiggghtsLinearHistoryTangential, Epsd2Rolling, NoTwisting, Sjkr2Cohesion>(
+      12);
+  expectSameBits<EepaLinearNormal, MassVelocityDamping, MindlinTangential, Epsd3Rolling, SdsTwisting,
+                 CapillaryCohesion>(13);
 }
 
 /// Models of different length share a layout: each keeps its own numbers where the layout says.

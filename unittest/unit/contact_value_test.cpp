@@ -24,6 +24,8 @@ ContactState stateOf(const SeenTwice<double> &p)
   }
   s.overlap = p.seen.overlap;
   s.radius = p.radius;
+  s.partnerRadius = p.radius2;
+  s.inertia = p.seen.inertia;
   s.effectiveRadius = p.seen.effectiveRadius;
   s.effectiveMass = p.seen.effectiveMass;
   return s;
@@ -45,6 +47,8 @@ LongHandHistory toLongHand(const HistoryLayout &layout, const std::vector<double
   for (std::size_t d = 0; d < 3 && !r.empty(); ++d) h.roll[d] = r[d];
   if (t.size() == 4) h.largestRadius = t[3];
   if (!w.empty()) h.twist = w[0];
+  const std::vector<double> n = slotOf(layout, ModelSlot::Normal, kept);
+  if (!n.empty()) h.largest = n[0];
   return h;
 }
 
@@ -69,7 +73,7 @@ TEST(ContactModel, AgreesWithTheLongHandFormulas)
       const double scale = std::abs(l.push) + l.limit + 1.0;         // of forces and, radii being about 1/2, of torques
       const Tolerance t = roundOff(Precision::Double, scale, 5000);  // of some thousand operations
       SCOPED_TRACE(model.normal.name + " " + model.damping.name + " " + model.tangential.name + " " +
-                   model.rolling.name + " " + model.twisting.name);
+                   model.rolling.name + " " + model.twisting.name + " " + model.cohesion.name);
       ASSERT_TRUE(near(r.push, l.push, t));
       ASSERT_TRUE(near(r.twisting, l.twisting, t));
       for (std::size_t d = 0; d < 3; ++d) {
@@ -83,11 +87,12 @@ TEST(ContactModel, AgreesWithTheLongHandFormulas)
       const Tolerance x = {t.relative,
                            norm(l.friction) + norm(h.slip) + norm(h.roll) + std::abs(h.twist) + 0.1 * scale};
       for (std::size_t d = 0; d < 3; ++d) {
-        ASSERT_TRUE(near(now.slip[d], h.slip[d], x));
+        ASSERT_TRUE(near(now.slip[d], h.slip[d], x) || (l.contactRadius == 0.0 && s.overlap > 0.0));
         ASSERT_TRUE(near(now.roll[d], h.roll[d], x));
       }
       ASSERT_TRUE(near(now.twist, h.twist, x));
       ASSERT_TRUE(near(now.largestRadius, h.largestRadius, x));
+      ASSERT_TRUE(near(now.largest, h.largest, x));
       h = now;  // differences do not pile up
     }
   }
@@ -102,16 +107,19 @@ void expectCoulomb(const std::string &tangential, int &sliding)
 {
   SCOPED_TRACE(tangential);
   Dice dice(11);
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 800; ++k) {
     ContactModel model = randomModel(dice);
     const bool material = contactModuli(model).known;
+    if (model.rolling.name == "epsd2") model.rolling = {"none", {}};  // needs a spring
     model.tangential = {tangential, randomParameters(dice, ModelSlot::Tangential, tangential, material)};
     const HistoryLayout layout = historyLayout({model});
     std::vector<double> kept = randomHistory(dice, model, layout);
     ContactState s = stateOf(randomContact<double>(dice, model));
+    LongHandHistory h = toLongHand(layout, kept);
     const ContactResult r = evaluateContact(model, layout, s, kept.data(), 1e-4);
-    LongHandHistory h;
-    const double limit = longHand(model, s, h, 0.0).limit;
+    const LongHandResult l = longHand(model, s, h, 0.0);
+    if (l.contactRadius == 0.0) continue;  // grains apart, or in the dent they made: a spring has no stiffness there
+    const double limit = l.limit;
     const Tolerance t = {1e-9, limit + std::abs(r.push) + 1e-9};
     const Triple friction{r.friction[0], r.friction[1], r.friction[2]};
     ASSERT_LE(norm(friction), limit + t.absolute());
@@ -129,6 +137,7 @@ void expectCoulomb(const std::string &tangential, int &sliding)
 TEST(ContactModel, FrictionObeysCoulomb)
 {
   for (const SubModelInfo &info : subModels(ModelSlot::Tangential)) {
+    if (info.name.find("liggghts") == 0) continue;  // clips the spring, not the sum
     int sliding = 0;
     expectCoulomb(info.name, sliding);
     EXPECT_GE(sliding, info.history > 0 ? 100 : 0) << info.name;

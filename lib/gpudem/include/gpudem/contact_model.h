@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file Contact laws as products of sub-models: normal x damping x tangential x rolling x twisting.
+/// \file Contact laws as products of sub-models: normal x damping x tangential x rolling x twisting x cohesion.
 ///
-/// A sub-model is named as in LAMMPS' pair_style granular and declares its parameters; a ContactModel names one
-/// sub-model per slot. Formulas stand in src/contact/, one header per sub-model.
+/// A sub-model is named as in LAMMPS' pair_style granular (those beyond it as in the literature or in LIGGGHTS) and
+/// declares its parameters; a ContactModel names one sub-model per slot. Formulas stand in src/contact/, one header per
+/// sub-model.
 #pragma once
 
 #include <string>
@@ -11,8 +12,8 @@
 
 namespace gpudem {
 
-enum class ModelSlot { Normal, Damping, Tangential, Rolling, Twisting };
-constexpr int modelSlots = 5;
+enum class ModelSlot { Normal, Damping, Tangential, Rolling, Twisting, Cohesion };
+constexpr int modelSlots = 6;
 
 /// "normal", "damping", ...
 const char *slotName(ModelSlot slot);
@@ -41,12 +42,21 @@ struct SubModel {
   std::vector<double> parameter;  ///< as many as declared; not-a-number stands for NULL
 };
 
+/// Which normal force the limits of friction, rolling and twisting count from where there is a cohesion sub-model.
+enum class CoulombBase {
+  Contact,  ///< that of the normal sub-model: in a cohesive contact at rest it balances the attraction (LAMMPS)
+  Net       ///< the sum of both (LIGGGHTS up to 3.3; later its tangential_reduce decides)
+};
+
 /// One contact law. The damping coefficient is the second parameter of the normal sub-model, as in LAMMPS.
 struct ContactModel {
   SubModel normal, tangential;
   SubModel damping{"viscoelastic", {}}, rolling{"none", {}}, twisting{"none", {}};
+  SubModel cohesion{"none", {}};
   bool limitDamping = false;  ///< clip the normal force at zero: no attraction from the dashpot
   double lever = 0.5;         ///< the torque arm is the radius less this fraction of the overlap (pairs 1/2, walls 0)
+  double slipLever = 0.0;     ///< the arm of the slip velocity likewise (LAMMPS 0, LIGGGHTS 1/2)
+  CoulombBase coulombBase = CoulombBase::Contact;
 
   const SubModel &slot(ModelSlot s) const;
   SubModel &slot(ModelSlot s) { return const_cast<SubModel &>(const_cast<const ContactModel *>(this)->slot(s)); }
@@ -63,7 +73,8 @@ void checkModel(const ContactModel &model);
 /// \throws Error if the two use different sub-models
 ContactModel mixModels(const ContactModel &a, const ContactModel &b);
 
-/// Where the numbers of a contact lie: blocks of the slots in the order tangential, rolling, twisting, normal.
+/// Where the numbers of a contact lie: blocks of the slots in the order tangential, rolling, twisting, normal,
+/// cohesion.
 struct HistoryLayout {
   int size = 0;                     ///< numbers per contact
   int at[modelSlots] = {};          ///< first number of each slot
@@ -71,10 +82,13 @@ struct HistoryLayout {
   std::vector<signed char> mirror;  ///< [size] sign of each number when the two grains change places
 };
 /// Layout that serves all of \p models.
+/// \throws Error if sub-models of one slot differ in the signs of what they keep (rolling sds and epsd)
 HistoryLayout historyLayout(const std::vector<ContactModel> &models);
 
-/// Does the contact outlive touch (adhesion necks)?
+/// Does the contact outlive touch (adhesion necks, liquid bridges)?
 bool reachesBeyondTouch(const ContactModel &model);
+/// Do grains that come near pull on each other before they touch? Within the pull-off gap they are in contact then.
+bool actsBeforeTouch(const ContactModel &model);
 /// Largest gap at which two grains of effective radius \p effectiveRadius still pull on each other (distance).
 double pullOffGap(const ContactModel &model, double effectiveRadius);
 
@@ -101,6 +115,8 @@ struct ContactState {
   double relativeVelocity[3];  ///< v_i - v_j
   double surfaceSpin[3];       ///< R_i omega_i + R_j omega_j
   double spinDifference[3];    ///< omega_i - omega_j
+  double partnerRadius;        ///< (distance); 0: the partner is a wall
+  double inertia;              ///< I_i I_j/(I_i + I_j), I = m R^2; m R^2 at a wall
 };
 struct ContactResult {
   double force[3], torque[3];  ///< on the grain

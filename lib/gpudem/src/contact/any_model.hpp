@@ -54,13 +54,16 @@ struct AnyTangential {
 
 struct AnyRolling {
   static constexpr int history = maxRollingHistory;
+  static constexpr bool takesInertia = true;
   template <class Real>
   GPUDEM_HD static Vec3<Real> moment(const ModelCoefficients<Real> &k, const Contact<Real> &c,
-                                     const ContactFrame<Real> &f, const NormalForce<Real> &n, Real base, Real *history,
-                                     Real dt, bool advance)
+                                     const ContactFrame<Real> &f, const NormalForce<Real> &n,
+                                     const TangentialStiffness<Real> &t, Real base, Real *history, Real dt,
+                                     bool advance)
   {
-    return selectModel<Vec3<Real>>(RollingModels{}, k.model[static_cast<int>(ModelSlot::Rolling)],
-                                   [&](auto m) { return decltype(m)::moment(k, c, f, n, base, history, dt, advance); });
+    return selectModel<Vec3<Real>>(RollingModels{}, k.model[static_cast<int>(ModelSlot::Rolling)], [&](auto m) {
+      return decltype(m)::moment(k, c, f, n, t, base, history, dt, advance);
+    });
   }
 };
 
@@ -73,6 +76,23 @@ struct AnyTwisting {
   {
     return selectModel<Real>(TwistingModels{}, k.model[static_cast<int>(ModelSlot::Twisting)],
                              [&](auto m) { return decltype(m)::torque(k, c, f, a, t, base, history, dt, advance); });
+  }
+};
+
+struct AnyCohesion {
+  static constexpr bool beyondTouch = true, beforeTouch = true;
+  static constexpr int history = maxCohesionHistory;
+  template <class Real>
+  GPUDEM_HD static Real force(const ModelCoefficients<Real> &k, const Contact<Real> &c, Real *history)
+  {
+    return selectModel<Real>(CohesionModels{}, k.model[static_cast<int>(ModelSlot::Cohesion)],
+                             [&](auto m) { return decltype(m)::force(k, c, history); });
+  }
+  template <class Real>
+  GPUDEM_HD static Real gap(const ModelCoefficients<Real> &k, Real effectiveRadius)
+  {
+    return selectModel<Real>(CohesionModels{}, k.model[static_cast<int>(ModelSlot::Cohesion)],
+                             [&](auto m) { return decltype(m)::gap(k, effectiveRadius); });
   }
 };
 

@@ -12,6 +12,7 @@ namespace gpudem {
 
 constexpr int maxNormalCoefficients = 8, maxCoefficients = 4;
 constexpr int maxNormalHistory = 2, maxTangentialHistory = 4, maxRollingHistory = 3, maxTwistingHistory = 1;
+constexpr int maxCohesionHistory = 1;
 
 /// Coefficients of one ContactModel in the arithmetic of the step. What an entry means is up to the sub-model, which
 /// fills it in derive() and names its index.
@@ -19,17 +20,21 @@ template <class Real>
 struct ModelCoefficients {
   Real normal[maxNormalCoefficients];
   Real damping;
-  Real tangential[maxCoefficients], rolling[maxCoefficients], twisting[maxCoefficients];
-  Real lever;                      ///< see ContactModel
+  Real tangential[maxCoefficients], rolling[maxCoefficients], twisting[maxCoefficients], cohesion[maxCoefficients];
+  Real lever, slipLever;           ///< see ContactModel
   std::int32_t model[modelSlots];  ///< index of the sub-model in its list, for laws that are chosen at run time
   std::int32_t limitDamping;
+  std::int32_t netBase;       ///< see CoulombBase
+  std::int32_t necks;         ///< the normal sub-model acts beyond touch
+  std::int32_t beforeTouch;   ///< the cohesion sub-model acts before touch
+  std::int32_t readsInertia;  ///< the rolling sub-model reads Contact::inertia
 };
 
 /// Numbers that one contact keeps from step to step, by slot.
 template <class Real>
 struct ModelHistory {
   Real normal[maxNormalHistory], tangential[maxTangentialHistory], rolling[maxRollingHistory],
-      twisting[maxTwistingHistory];
+      twisting[maxTwistingHistory], cohesion[maxCohesionHistory];
 };
 
 /// What the normal sub-model tells the others.
@@ -42,7 +47,7 @@ struct NormalForce {
   bool adhesive;       ///< the Coulomb limit counts from the elastic force plus twice the pull-off force
 };
 
-/// What twisting takes from the tangential sub-model: stiffness with its factor a, and dashpot.
+/// What rolling and twisting take from the tangential sub-model: stiffness with its factor a, and dashpot.
 template <class Real>
 struct TangentialStiffness {
   Real spring, dashpot;
@@ -56,13 +61,23 @@ struct ContactFrame {
   Vec3<Real> slip;    ///< tangential velocity of the surfaces
 };
 
+/// R_i omega_i + R_j omega_j with radii shortened by \p lever times the overlap. The sum of the spins follows from what
+/// the contact has: (R_i + R_j)(w_i + w_j) = 2 (R_i w_i + R_j w_j) + (R_j - R_i)(w_i - w_j).
 template <class Real>
-GPUDEM_HD ContactFrame<Real> contactFrame(const Contact<Real> &c)
+GPUDEM_HD Vec3<Real> shortenedSpin(const Contact<Real> &c, Real lever)
+{
+  const Real perReach = divide(lever * c.overlap, c.distance + c.overlap);
+  return c.surfaceSpin - (c.surfaceSpin * Real(2) + c.spinDifference * c.radiusDifference) * perReach;
+}
+
+/// \param surfaceSpin of the contact, or shortened
+template <class Real>
+GPUDEM_HD ContactFrame<Real> contactFrame(const Contact<Real> &c, const Vec3<Real> &surfaceSpin)
 {
   ContactFrame<Real> f;
   f.normal = c.branch * c.inverseDistance;
   f.normalRate = dot(c.relativeVelocity, f.normal);
-  f.slip = (c.relativeVelocity - f.normal * f.normalRate) - cross(c.surfaceSpin, f.normal);
+  f.slip = (c.relativeVelocity - f.normal * f.normalRate) - cross(surfaceSpin, f.normal);
   return f;
 }
 
@@ -71,6 +86,7 @@ struct ModelContext {
   ContactModuli moduli;
   bool linear = false;    ///< the normal force is proportional to the overlap
   double friction = 0.0;  ///< Coulomb coefficient of the tangential sub-model
+  bool spring = false;    ///< the tangential sub-model has a spring
 };
 
 }  // namespace gpudem

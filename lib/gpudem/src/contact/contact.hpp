@@ -23,6 +23,9 @@ struct Contact {
   Vec3<Real> relativeVelocity;  ///< v_i - v_j (distance/time)
   Vec3<Real> surfaceSpin;       ///< R_i omega_i + R_j omega_j (distance/time)
   Vec3<Real> spinDifference;    ///< omega_i - omega_j, filled for laws that read it (radian/time)
+  Real radiusDifference;        ///< R_j - R_i, -R_i at a wall; filled with the above (distance)
+  Real inertia;                 ///< I_i I_j/(I_i + I_j), I = m R^2, m R^2 at a wall; filled for laws that read it
+  bool atWall;
 };
 
 template <class Real>

@@ -61,15 +61,16 @@ double geometric(double a, double b)
 
 const char *slotName(ModelSlot slot)
 {
-  static constexpr std::array<const char *, modelSlots> names{"normal", "damping", "tangential", "rolling", "twisting"};
+  static constexpr std::array<const char *, modelSlots> names{"normal",  "damping",  "tangential",
+                                                              "rolling", "twisting", "cohesion"};
   return names[static_cast<std::size_t>(slot)];
 }
 
 const std::vector<SubModelInfo> &subModels(ModelSlot slot)
 {
   static const std::array<std::vector<SubModelInfo>, modelSlots> all{
-      describeAll(NormalModels{}), describeAll(DampingModels{}), describeAll(TangentialModels{}),
-      describeAll(RollingModels{}), describeAll(TwistingModels{})};
+      describeAll(NormalModels{}),  describeAll(DampingModels{}),  describeAll(TangentialModels{}),
+      describeAll(RollingModels{}), describeAll(TwistingModels{}), describeAll(CohesionModels{})};
   return all[static_cast<std::size_t>(slot)];
 }
 
@@ -100,9 +101,11 @@ const SubModel &ContactModel::slot(ModelSlot s) const
     case ModelSlot::Rolling:
       return rolling;
     case ModelSlot::Twisting:
+      return twisting;
+    case ModelSlot::Cohesion:
       break;
   }
-  return twisting;
+  return cohesion;
 }
 
 void checkValue(const std::string &label, const ParameterInfo &info, double value)
@@ -115,8 +118,8 @@ void checkValue(const std::string &label, const ParameterInfo &info, double valu
 
 void checkModel(const ContactModel &model)
 {
-  for (const ModelSlot s :
-       {ModelSlot::Normal, ModelSlot::Damping, ModelSlot::Tangential, ModelSlot::Rolling, ModelSlot::Twisting}) {
+  for (int slot = 0; slot < modelSlots; ++slot) {
+    const auto s = static_cast<ModelSlot>(slot);
     const SubModel &given = model.slot(s);
     const SubModelInfo &info = subModel(s, given.name);
     const std::string label = fmt::format("{} {}", slotName(s), given.name);
@@ -129,10 +132,19 @@ void checkModel(const ContactModel &model)
       else checkValue(label, info.parameters[p], given.parameter[p]);
     }
   }
-  bool adhesive = false;
-  withModel(NormalModels{}, model.normal.name, [&](auto m) { adhesive = decltype(m)::adhesive; });
+  bool adhesive = false, necks = false, bridges = false;
+  withModel(NormalModels{}, model.normal.name, [&](auto m) {
+    adhesive = decltype(m)::adhesive;
+    necks = decltype(m)::beyondTouch;
+  });
+  withModel(CohesionModels{}, model.cohesion.name, [&](auto m) { bridges = decltype(m)::beyondTouch; });
   if (model.limitDamping && adhesive)
     throw Error(fmt::format("limit_damping would remove the adhesion of normal {}", model.normal.name));
+  if (necks && bridges)
+    throw Error(fmt::format("normal {} and cohesion {} both act beyond touch; give one of them", model.normal.name,
+                            model.cohesion.name));
+  if (model.coulombBase == CoulombBase::Net && model.cohesion.name == "none")
+    throw Error("the Coulomb limit is to count from the net normal force, but there is no cohesion sub-model");
 }
 
 ContactModuli contactModuli(const ContactModel &model)
@@ -160,24 +172,43 @@ ModelCoefficients<double> deriveCoefficients(const ContactModel &model)
   withModel(NormalModels{}, model.normal.name, [&](auto m) {
     decltype(m)::derive(model.normal.parameter.data(), k.normal);
     context.linear = decltype(m)::linear;
+    k.necks = decltype(m)::beyondTouch;
   });
   withModel(DampingModels{}, model.damping.name,
             [&](auto m) { k.damping = decltype(m)::derive(model.normal.parameter[1], context); });
   withModel(TangentialModels{}, model.tangential.name, [&](auto m) {
     context.friction = decltype(m)::friction(model.tangential.parameter.data());
+    context.spring = decltype(m)::history > 0;
     decltype(m)::derive(model.tangential.parameter.data(), context, k.tangential);
   });
-  withModel(RollingModels{}, model.rolling.name,
-            [&](auto m) { decltype(m)::derive(model.rolling.parameter.data(), context, k.rolling); });
+  withModel(RollingModels{}, model.rolling.name, [&](auto m) {
+    decltype(m)::derive(model.rolling.parameter.data(), context, k.rolling);
+    k.readsInertia = decltype(m)::takesInertia;
+  });
   withModel(TwistingModels{}, model.twisting.name,
             [&](auto m) { decltype(m)::derive(model.twisting.parameter.data(), context, k.twisting); });
+  withModel(CohesionModels{}, model.cohesion.name, [&](auto m) {
+    decltype(m)::derive(model.cohesion.parameter.data(), k.cohesion);
+    k.beforeTouch = decltype(m)::beforeTouch;
+  });
   k.lever = model.lever;
+  k.slipLever = model.slipLever;
   k.limitDamping = model.limitDamping;
+  k.netBase = model.coulombBase == CoulombBase::Net;
   for (int s = 0; s < modelSlots; ++s) {
     const auto slot = static_cast<ModelSlot>(s);
     k.model[s] = modelIndex(slot, model.slot(slot).name);
   }
   return k;
+}
+
+/// What the parameter \p p of the tangential sub-model is or, if NULL, stands for.
+static double tangentialParameter(const ContactModel &model, std::size_t p, const ContactModuli &moduli)
+{
+  double value = model.tangential.parameter[p];
+  if (!std::isnan(value)) return value;
+  withModel(TangentialModels{}, model.tangential.name, [&](auto m) { value = decltype(m)::derived(p, moduli); });
+  return value;
 }
 
 ContactModel mixModels(const ContactModel &a, const ContactModel &b)
@@ -192,6 +223,8 @@ ContactModel mixModels(const ContactModel &a, const ContactModel &b)
     for (std::size_t p = 0; p < of.parameter.size(); ++p)
       mixed.slot(slot).parameter[p] = geometric(of.parameter[p], other.parameter[p]);
   }
+  if (a.coulombBase != b.coulombBase || a.slipLever != b.slipLever)
+    throw Error("the conventions of Coulomb limit or slip velocity differ, so the coefficients cannot be mixed");
   mixed.limitDamping = a.limitDamping || b.limitDamping;
   const ContactModuli ma = contactModuli(a), mb = contactModuli(b);
   if (ma.known) {
@@ -200,12 +233,9 @@ ContactModel mixModels(const ContactModel &a, const ContactModel &b)
     equivalentMaterial(m, mixed.normal.parameter[0], mixed.normal.parameter[2]);
     // one side NULL, the other a number: the mean of what both stand for
     std::vector<double> &t = mixed.tangential.parameter;
-    const std::vector<ParameterInfo> &info = subModel(ModelSlot::Tangential, mixed.tangential.name).parameters;
-    for (std::size_t p = 0; p < t.size(); ++p) {
-      const double va = a.tangential.parameter[p], vb = b.tangential.parameter[p];
-      if (info[p].derivable && std::isnan(va) != std::isnan(vb))
-        t[p] = geometric(std::isnan(va) ? 8.0 * ma.shear : va, std::isnan(vb) ? 8.0 * mb.shear : vb);
-    }
+    for (std::size_t p = 0; p < t.size(); ++p)
+      if (std::isnan(a.tangential.parameter[p]) != std::isnan(b.tangential.parameter[p]))
+        t[p] = geometric(tangentialParameter(a, p, ma), tangentialParameter(b, p, mb));
   }
   return mixed;
 }
@@ -216,6 +246,12 @@ HistoryLayout historyLayout(const std::vector<ContactModel> &models)
   std::vector<signed char> mirror[modelSlots];
   const auto widen = [&](ModelSlot slot, int length, std::vector<signed char> signs) {
     const auto s = static_cast<std::size_t>(slot);
+    const auto shared = static_cast<std::ptrdiff_t>(std::min(signs.size(), mirror[s].size()));
+    if (!std::equal(signs.begin(), signs.begin() + shared, mirror[s].begin()))
+      throw Error(
+          fmt::format("two {} sub-models keep numbers that change sign differently when a pair is seen from the "
+                      "other grain, so they cannot be in one run",
+                      slotName(slot)));
     if (length <= layout.length[s]) return;
     layout.length[s] = length;
     mirror[s] = std::move(signs);
@@ -230,8 +266,12 @@ HistoryLayout historyLayout(const std::vector<ContactModel> &models)
     withModel(NormalModels{}, model.normal.name, [&](auto m) {  // largest overlaps and the like have no direction
       widen(ModelSlot::Normal, decltype(m)::history, std::vector<signed char>(decltype(m)::history, 1));
     });
+    withModel(CohesionModels{}, model.cohesion.name, [&](auto m) {
+      widen(ModelSlot::Cohesion, decltype(m)::history, std::vector<signed char>(decltype(m)::history, 1));
+    });
   }
-  for (const ModelSlot slot : {ModelSlot::Tangential, ModelSlot::Rolling, ModelSlot::Twisting, ModelSlot::Normal}) {
+  for (const ModelSlot slot :
+       {ModelSlot::Tangential, ModelSlot::Rolling, ModelSlot::Twisting, ModelSlot::Normal, ModelSlot::Cohesion}) {
     const auto s = static_cast<std::size_t>(slot);
     layout.at[s] = layout.size;
     layout.size += layout.length[s];
@@ -244,7 +284,15 @@ bool reachesBeyondTouch(const ContactModel &model)
 {
   bool beyond = false;
   withModel(NormalModels{}, model.normal.name, [&](auto m) { beyond = decltype(m)::beyondTouch; });
+  withModel(CohesionModels{}, model.cohesion.name, [&](auto m) { beyond = beyond || decltype(m)::beyondTouch; });
   return beyond;
+}
+
+bool actsBeforeTouch(const ContactModel &model)
+{
+  bool before = false;
+  withModel(CohesionModels{}, model.cohesion.name, [&](auto m) { before = decltype(m)::beforeTouch; });
+  return before;
 }
 
 double dampingCoefficient(const ContactModel &model)
@@ -254,7 +302,7 @@ double dampingCoefficient(const ContactModel &model)
 
 double pullOffGap(const ContactModel &model, double effectiveRadius)
 {
-  return AnyNormal::gap(deriveCoefficients(model), effectiveRadius);
+  return AnyProduct::gap(deriveCoefficients(model), effectiveRadius);
 }
 
 ContactResult evaluateContact(const ContactModel &model, const HistoryLayout &layout, const ContactState &state,
@@ -271,6 +319,9 @@ ContactResult evaluateContact(const ContactModel &model, const HistoryLayout &la
   c.relativeVelocity = vector(state.relativeVelocity);
   c.surfaceSpin = vector(state.surfaceSpin);
   c.spinDifference = vector(state.spinDifference);
+  c.radiusDifference = state.partnerRadius - state.radius;
+  c.inertia = state.inertia;
+  c.atWall = state.partnerRadius == 0.0;
   const LayoutView view = layoutView(layout);
   ModelHistory<double> h{};
   moveHistory<AnyProduct>(view, h, [&](double &inRegister, int at) { inRegister = history[at]; });

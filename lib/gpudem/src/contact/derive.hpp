@@ -23,11 +23,17 @@ ModelCoefficients<Real> coefficients(const ContactModel &model)
     k.tangential[n] = static_cast<Real>(d.tangential[n]);
     k.rolling[n] = static_cast<Real>(d.rolling[n]);
     k.twisting[n] = static_cast<Real>(d.twisting[n]);
+    k.cohesion[n] = static_cast<Real>(d.cohesion[n]);
   }
   k.damping = static_cast<Real>(d.damping);
   k.lever = static_cast<Real>(d.lever);
+  k.slipLever = static_cast<Real>(d.slipLever);
   for (int s = 0; s < modelSlots; ++s) k.model[s] = d.model[s];
   k.limitDamping = d.limitDamping;
+  k.netBase = d.netBase;
+  k.necks = d.necks;
+  k.beforeTouch = d.beforeTouch;
+  k.readsInertia = d.readsInertia;
   return k;
 }
 

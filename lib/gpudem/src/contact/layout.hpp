@@ -44,6 +44,8 @@ GPUDEM_HD void moveHistory(const LayoutView &layout, ModelHistory<Real> &h, Move
                                                                [&](int d, int at) { move(h.rolling[d], at); });
   moveSlot<Law::history[static_cast<int>(ModelSlot::Twisting)]>(layout, ModelSlot::Twisting,
                                                                 [&](int d, int at) { move(h.twisting[d], at); });
+  moveSlot<Law::history[static_cast<int>(ModelSlot::Cohesion)]>(layout, ModelSlot::Cohesion,
+                                                                [&](int d, int at) { move(h.cohesion[d], at); });
 }
 
 }  // namespace gpudem

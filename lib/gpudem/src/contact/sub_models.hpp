@@ -3,12 +3,21 @@
 /// \file The sub-models there are. A new one is a header and a line here.
 #pragma once
 
+#include "contact/cohesion/capillary.hpp"
+#include "contact/cohesion/overlap_area.hpp"
+#include "contact/cohesion/vdw.hpp"
 #include "contact/damping/damping.hpp"
 #include "contact/normal/dmt.hpp"
+#include "contact/normal/eepa.hpp"
 #include "contact/normal/hertz.hpp"
 #include "contact/normal/hooke.hpp"
 #include "contact/normal/jkr.hpp"
+#include "contact/normal/luding.hpp"
+#include "contact/normal/thornton_ning.hpp"
+#include "contact/rolling/cdt.hpp"
+#include "contact/rolling/epsd.hpp"
 #include "contact/rolling/sds.hpp"
+#include "contact/tangential/liggghts.hpp"
 #include "contact/tangential/spring.hpp"
 #include "contact/tangential/viscous.hpp"
 #include "contact/twisting/twisting.hpp"
@@ -19,13 +28,16 @@ template <class... Members>
 struct ModelList {
 };
 
-using NormalModels = ModelList<HookeNormal, HertzNormal, HertzMaterialNormal, DmtNormal, JkrNormal>;
+using NormalModels = ModelList<HookeNormal, HertzNormal, HertzMaterialNormal, DmtNormal, JkrNormal, LudingNormal,
+                               ThorntonNingNormal, EepaNormal, EepaLinearNormal>;
 using DampingModels = ModelList<VelocityDamping, MassVelocityDamping, ViscoelasticDamping, RestitutionDamping,
                                 TsujiDamping, TsujiFitDamping>;
 using TangentialModels = ModelList<NoTangential, ViscousTangential, LinearHistoryTangential, MindlinTangential,
-                                   MindlinRescaleTangential, MindlinForceTangential, MindlinRescaleForceTangential>;
-using RollingModels = ModelList<NoRolling, SdsRolling>;
+                                   MindlinRescaleTangential, MindlinForceTangential, MindlinRescaleForceTangential,
+                                   LiggghtsHistoryTangential, LiggghtsLinearHistoryTangential>;
+using RollingModels = ModelList<NoRolling, SdsRolling, CdtRolling, EpsdRolling, Epsd2Rolling, Epsd3Rolling>;
 using TwistingModels = ModelList<NoTwisting, SdsTwisting, MarshallTwisting>;
+using CohesionModels = ModelList<NoCohesion, SjkrCohesion, Sjkr2Cohesion, CapillaryCohesion, VdwCohesion>;
 
 /// Call visit(member) for every member of the list, in order.
 template <class Visit, class... Members>

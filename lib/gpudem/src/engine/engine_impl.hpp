@@ -114,6 +114,7 @@ class EngineImpl final : public Engine {
   bool keepsContacts_ = false;
   double pullOffGap_ = 0.0;  ///< largest gap across which grains pull on each other (distance)
   int commonModel_[modelSlots] = {};
+  ModelNeeds needs_{};
   Roles roles_;
   Box box_;
   CellGrid grid_{};

@@ -76,6 +76,12 @@ void EngineImpl<Exec, P>::setLaws()
     for (const ModelCoefficients<Real> &k : table)
       if (k.model[s] != commonModel_[s]) commonModel_[s] = -1;
   }
+  needs_ = {};
+  for (const ModelCoefficients<Real> &k : table) {
+    needs_.inertia = needs_.inertia || k.readsInertia;
+    needs_.slipLever = needs_.slipLever || k.slipLever != Real(0);
+    needs_.beforeTouch = needs_.beforeTouch || k.beforeTouch;
+  }
   for (const WallSpec &wall : scene_.walls)
     table.push_back(wall.model ? coefficients<Real>(*wall.model) : ModelCoefficients<Real>{});
   models_.reserve(std::max<std::size_t>(1, table.size()));
@@ -136,6 +142,7 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   v.keeps = keepsContacts_;
   v.types = scene_.types;
   std::copy_n(commonModel_, modelSlots, v.commonModel);
+  v.needs = needs_;
   v.frozenRole = roles_.of(scene_.frozenMask);
   v.dt = static_cast<Real>(scene_.timestep);
   v.halfKick = scene_.halfKick;
@@ -194,7 +201,8 @@ void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
   using T = TangentialModel;
   if (!scene_.pairModels.empty()) {
     if constexpr (Exec::onGpu)
-      withKernelProduct(commonModel_, [&](auto product) { launchLaw<ModelLaw<decltype(product)>, mode>(v); });
+      withKernelProduct(commonModel_, needs_.slipLever,
+                        [&](auto product) { launchLaw<ModelLaw<decltype(product)>, mode>(v); });
     else launchLaw<BatchModelLaw, mode>(v);
     return;
   }

@@ -44,7 +44,8 @@ class BatchModels {
   void evaluate(const StepView<P> &s, Batch &b)
   {
     const Table<uniform> table(s.models);
-    contacts(b);
+    if (s.needs.slipLever) contacts<true>(table, b);
+    else contacts<false>(table, b);
     const auto choose = [&](auto list, ModelSlot slot, auto any, const auto &run) {
       const int model = s.commonModel[static_cast<int>(slot)];
       if (model < 0) return run(any);
@@ -55,6 +56,8 @@ class BatchModels {
     };
     choose(NormalModels{}, ModelSlot::Normal, AnyNormal{}, [&](auto m) { normal<decltype(m)>(table, s.layout, b); });
     choose(DampingModels{}, ModelSlot::Damping, AnyDamping{}, [&](auto m) { damping<decltype(m)>(table, b); });
+    choose(CohesionModels{}, ModelSlot::Cohesion, AnyCohesion{},
+           [&](auto m) { cohesion<decltype(m)>(table, s.layout, b); });
     choose(TangentialModels{}, ModelSlot::Tangential, AnyTangential{},
            [&](auto m) { tangential<decltype(m), advance>(table, s.layout, b, s.dt); });
     choose(RollingModels{}, ModelSlot::Rolling, AnyRolling{},
@@ -62,15 +65,19 @@ class BatchModels {
     choose(TwistingModels{}, ModelSlot::Twisting, AnyTwisting{},
            [&](auto m) { twisting<decltype(m), advance>(table, s.layout, b, s.dt); });
     finish(table, b);
+    choose(CohesionModels{}, ModelSlot::Cohesion, AnyCohesion{},
+           [&](auto m) { forgetTouch<decltype(m)>(table, s.layout, b); });
   }
 
-  void contacts(const Batch &b)
+  template <bool shortSlip, class T>
+  void contacts(const T &table, const Batch &b)
   {
     const int size = b.padded();
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) {
       const Contact<Real> c = toContact<BatchModelLaw>(b.gathered(n));
-      const ContactFrame<Real> f = contactFrame(c);
+      const ContactFrame<Real> f =
+          contactFrame(c, shortSlip ? shortenedSpin(c, table.of(b.kind[n]).slipLever) : c.surfaceSpin);
       overlap_[n] = c.overlap;
       effectiveRadius_[n] = c.effectiveRadius;
       effectiveMass_[n] = c.effectiveMass;
@@ -88,14 +95,16 @@ class BatchModels {
   {
     return {{nx_[n], ny_[n], nz_[n]}, normalRate_[n], {sx_[n], sy_[n], sz_[n]}};
   }
-  /// What normal, rolling and twisting sub-models may read of the contact.
+  /// What normal, rolling, twisting and cohesion sub-models may read of the contact.
   Contact<Real> contact(const Batch &b, int n) const
   {
     Contact<Real> c{};
     c.overlap = overlap_[n];
+    c.distance = b.reach[n] - overlap_[n];
     c.effectiveRadius = effectiveRadius_[n];
     c.effectiveMass = effectiveMass_[n];
     c.spinDifference = {b.rx[n], b.ry[n], b.rz[n]};
+    c.inertia = b.inertia[n];
     return c;
   }
   NormalForce<Real> normalForce(int n) const
@@ -159,6 +168,33 @@ class BatchModels {
     }
   }
 
+  /// Adds to the normal force. Pairs that only cohesion holds together have no other force left, and so no limit of
+  /// friction, rolling and twisting, whatever the other loops make of their negative overlap.
+  template <class M, class T>
+  void cohesion(const T &table, const LayoutView layout, Batch &b)
+  {
+    if (std::is_same<M, NoCohesion>::value) return;
+    const Rows<M> rows(*this, layout, ModelSlot::Cohesion, b);
+    const int size = b.padded();
+#pragma GCC ivdep
+    for (int n = 0; n < size; ++n) {
+      Real h[maxCohesionHistory];
+      rows.load(n, h);
+      const ModelCoefficients<Real> &k = table.of(b.kind[n]);
+      const Real force = M::force(k, contact(b, n), h);
+      rows.store(n, h);
+      DampedNormal<Real> d{push_[n], base_[n], eta_[n]};
+      addCohesion(k, force, d);
+      const bool acts = !M::beyondTouch || surfacesAct(k, overlap_[n]);
+      push_[n] = acts ? d.push : force;
+      base_[n] = acts ? d.base : Real(0);
+      eta_[n] = acts ? d.eta : Real(0);
+      elastic_[n] = acts ? elastic_[n] : Real(0);
+      contactRadius_[n] = acts ? contactRadius_[n] : Real(0);
+      stiffness_[n] = acts ? stiffness_[n] : Real(0);
+    }
+  }
+
   template <class M, bool advance, class T>
   void tangential(const T &table, const LayoutView layout, Batch &b, const Real dt)
   {
@@ -194,8 +230,8 @@ class BatchModels {
     for (int n = 0; n < size; ++n) {
       Real h[maxRollingHistory];
       rows.load(n, h);
-      const Vec3<Real> m =
-          M::moment(table.of(b.kind[n]), contact(b, n), frame(n), normalForce(n), base_[n], h, dt, advance);
+      const Vec3<Real> m = M::moment(table.of(b.kind[n]), contact(b, n), frame(n), normalForce(n),
+                                     {tangentialSpring_[n], tangentialDashpot_[n]}, base_[n], h, dt, advance);
       rows.store(n, h);
       b.mx[n] = m.x;
       b.my[n] = m.y;
@@ -229,6 +265,19 @@ class BatchModels {
     const int size = b.padded();
 #pragma GCC ivdep
     for (int n = 0; n < size; ++n) b.shorter[n] = table.of(b.kind[n]).lever * overlap_[n];
+  }
+
+  /// As in Product: pairs that only cohesion holds together keep nothing of their touch.
+  template <class M, class T>
+  void forgetTouch(const T &table, const LayoutView layout, Batch &b)
+  {
+    if (!M::beyondTouch) return;
+    const int size = b.padded();
+    const int cohesion = static_cast<int>(ModelSlot::Cohesion), kept = layout.size - layout.length[cohesion];
+    for (int d = 0; d < kept; ++d)  // what cohesion keeps comes last
+#pragma GCC ivdep
+      for (int n = 0; n < size; ++n)
+        b.kept[d][n] = surfacesAct(table.of(b.kind[n]), overlap_[n]) ? b.kept[d][n] : Real(0);
   }
 
   Real overlap_[batchStride], effectiveRadius_[batchStride], effectiveMass_[batchStride], normalRate_[batchStride];

@@ -26,6 +26,7 @@ struct ContactBatch {
   static constexpr int models = Law::moments ? batchStride : 1;
   std::uint32_t kind[models];
   Real rx[models], ry[models], rz[models];  ///< difference of the spins
+  Real inertia[models];                     ///< for laws that take it
   Real mx[models], my[models], mz[models], shorter[models];
 
   /// Whole vectors: what lies behind the last pair is whatever the memory holds, and nobody reads the result.

@@ -102,6 +102,7 @@ struct ContactChunk {
       GatheredPair<Real> g;
       const bool touches = gatherPair<Law>(s, loadSelf(s, i), j, kind, held, g);
       b.put(k, kind, g);
+      if (Law::takesInertia(s)) b.inertia[b.size] = g.inertia;
       if (keeps) {
         const int size = Law::historySize(s);
         const Real *slot = pairs.spring.data() + static_cast<std::size_t>(size) * k;

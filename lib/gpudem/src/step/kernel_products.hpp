@@ -28,24 +28,27 @@ bool serves(List list, int index)
   return found;
 }
 
-template <class N, class D, class T, class R, class W>
-bool servesAll(Product<N, D, T, R, W>, const int *model)
+template <class N, class D, class T, class R, class W, class C>
+bool servesAll(Product<N, D, T, R, W, C>, const int *model, bool slipLever)
 {
   const auto at = [&](ModelSlot slot) { return model[static_cast<int>(slot)]; };
-  return (std::is_same<N, AnyNormal>::value || serves<N>(NormalModels{}, at(ModelSlot::Normal))) &&
+  return (!slipLever || Product<N, D, T, R, W, C>::takesSlipLever) &&
+         (std::is_same<N, AnyNormal>::value || serves<N>(NormalModels{}, at(ModelSlot::Normal))) &&
          (std::is_same<D, AnyDamping>::value || serves<D>(DampingModels{}, at(ModelSlot::Damping))) &&
          (std::is_same<T, AnyTangential>::value || serves<T>(TangentialModels{}, at(ModelSlot::Tangential))) &&
          (std::is_same<R, AnyRolling>::value || serves<R>(RollingModels{}, at(ModelSlot::Rolling))) &&
-         (std::is_same<W, AnyTwisting>::value || serves<W>(TwistingModels{}, at(ModelSlot::Twisting)));
+         (std::is_same<W, AnyTwisting>::value || serves<W>(TwistingModels{}, at(ModelSlot::Twisting))) &&
+         (std::is_same<C, AnyCohesion>::value || serves<C>(CohesionModels{}, at(ModelSlot::Cohesion)));
 }
 
 /// visit(product) for the first product that serves the sub-models \p model (-1: they differ between type pairs).
+/// \param slipLever the arm of the slip velocity is shortened
 template <class Visit>
-void withKernelProduct(const int *model, Visit &&visit)
+void withKernelProduct(const int *model, bool slipLever, Visit &&visit)
 {
   bool done = false;
   forEachModel(KernelProducts{}, [&](auto product) {
-    if (done || !servesAll(product, model)) return;
+    if (done || !servesAll(product, model, slipLever)) return;
     done = true;
     visit(product);
   });

@@ -19,6 +19,7 @@ struct GatheredPair {
   Vec3<Real> relativeVelocity;  ///< v_i - v_j
   Vec3<Real> surfaceSpin;       ///< R_i omega_i + R_j omega_j
   Vec3<Real> spinDifference;    ///< omega_i - omega_j, filled for laws that take it
+  Real inertia;                 ///< I_i I_j/(I_i + I_j), I = m R^2, filled for laws that take it
 };
 
 /// What a grain knows of itself while it visits its neighbours.
@@ -92,6 +93,16 @@ GPUDEM_HD Gap<double> gapTo(const StepView<Double> &s, const Self<Double> &self,
   return g;
 }
 
+/// I_i I_j/(I_i + I_j) with I = m R^2; a frozen grain counts as infinitely heavy.
+template <class Real>
+GPUDEM_HD Real pairInertia(const Motion<Real> &m, const Motion<Real> &o, Real ri, Real rj, std::uint32_t frozen)
+{
+  const Real mine = m.mass * ri * ri, other = o.mass * rj * rj;
+  if (o.word & frozen) return mine;
+  if (m.word & frozen) return other;
+  return divide(mine * other, symmetricSum(m.mass * ri, ri, o.mass * rj, rj));
+}
+
 /// \param kind of the pair's coefficients, and \param held whether the pair was in contact: read by laws whose contacts
 /// outlive touch
 /// \return false if the grains do not touch, or overlap by less than the coordinates resolve (grains placed exactly
@@ -104,7 +115,7 @@ GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32
   const Motion<Real> &m = self.motion;
   const Gap<Real> gap = gapTo(s, self, j, P::fine ? 0u : s.motionIn[j].word);
   bool touches = gap.room2 > static_cast<double>(gap.reach) * s.touchMargin;
-  if (Law::beyondTouch && held && !touches) {
+  if (Law::beyondTouch && !touches && (held || Law::beforeTouch(s, kind))) {
     const Real apart = Law::gap(Law::coefficients(s, kind), gap.radius, gap.radius2);
     touches = gap.room2 > -static_cast<double>(apart * (Real(2) * gap.reach + apart));
   }
@@ -128,6 +139,7 @@ GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32
   g.surfaceSpin = {symmetricSum(ri, m.wx, rj, o.wx), symmetricSum(ri, m.wy, rj, o.wy),
                    symmetricSum(ri, m.wz, rj, o.wz)};
   if (Law::takesSpinDifference) g.spinDifference = {m.wx - o.wx, m.wy - o.wy, m.wz - o.wz};
+  if (Law::takesInertia(s)) g.inertia = pairInertia(m, o, ri, rj, s.frozenRole);
   return touches;
 }
 
@@ -145,6 +157,9 @@ GPUDEM_HD Contact<Real> toContact(const GatheredPair<Real> &g)
   c.relativeVelocity = g.relativeVelocity;
   c.surfaceSpin = g.surfaceSpin;
   c.spinDifference = g.spinDifference;
+  c.radiusDifference = g.radius2 - g.radius;
+  c.inertia = g.inertia;
+  c.atWall = false;
   return c;
 }
 

@@ -63,6 +63,16 @@ struct ClassicLaw {
   {
     return springDashpot<normal, tangential>(k, c, h, dt, advance);
   }
+  template <class P>
+  GPUDEM_HD static constexpr bool takesInertia(const StepView<P> &)
+  {
+    return false;
+  }
+  template <class P>
+  GPUDEM_HD static constexpr bool beforeTouch(const StepView<P> &, std::uint32_t)
+  {
+    return false;
+  }
   template <class Real>
   GPUDEM_HD static Real gap(const LawCoefficients<Real> &, Real, Real)
   {
@@ -73,11 +83,11 @@ struct ClassicLaw {
 /// Product of sub-models, with coefficients per pair of types.
 template <class Members>
 struct ModelLaw {
-  static constexpr int numbers = maxNormalHistory + maxTangentialHistory + maxRollingHistory + maxTwistingHistory;
+  static constexpr int numbers =
+      maxNormalHistory + maxTangentialHistory + maxRollingHistory + maxTwistingHistory + maxCohesionHistory;
   static constexpr bool beyondTouch = Members::beyondTouch;
   static constexpr bool takesRadius = true;
-  static constexpr bool takesSpinDifference = Members::history[static_cast<int>(ModelSlot::Rolling)] > 0 ||
-                                              Members::history[static_cast<int>(ModelSlot::Twisting)] > 0;
+  static constexpr bool takesSpinDifference = Members::takesSpinDifference;
   static constexpr bool moments = true;
 
   template <class Real>
@@ -124,6 +134,17 @@ struct ModelLaw {
                                                ModelHistory<Real> &h, Real dt, bool advance)
   {
     return Members::evaluate(k, c, h, dt, advance);
+  }
+  template <class P>
+  GPUDEM_HD static bool takesInertia(const StepView<P> &s)
+  {
+    return Members::takesInertia && s.needs.inertia;
+  }
+  /// Are two grains in contact as soon as they are within the gap?
+  template <class P>
+  GPUDEM_HD static bool beforeTouch(const StepView<P> &s, std::uint32_t kind)
+  {
+    return Members::beforeTouch && s.needs.beforeTouch && s.models[kind].beforeTouch;
   }
   /// Gap across which two grains that were in contact still hold together (distance).
   template <class Real>

@@ -91,6 +91,13 @@ struct IntegratorView {
   double cosine, sine, angularFrequency;  ///< Rotate, at the coming step
 };
 
+/// What some product law of the pairs asks for; otherwise it is not computed.
+struct ModelNeeds {
+  bool inertia;      ///< Contact::inertia
+  bool slipLever;    ///< the arm of the slip velocity is shortened
+  bool beforeTouch;  ///< grains act on each other before they touch
+};
+
 template <class P>
 struct StepView {
   using Real = typename P::Real;
@@ -118,10 +125,11 @@ struct StepView {
   LawCoefficients<Real> law;
   const ModelCoefficients<Real> *models;  ///< [types][types] product laws, or null
   int commonModel[modelSlots];            ///< sub-model that all type pairs use, -1 if they differ
-  LayoutView layout;                      ///< of what a contact keeps
-  bool keeps;                             ///< the table remembers which pairs are in contact
-  int types;                              ///< 1 if all types have the same law
-  std::uint32_t frozenRole;               ///< bits of Motion::word
+  ModelNeeds needs;
+  LayoutView layout;         ///< of what a contact keeps
+  bool keeps;                ///< the table remembers which pairs are in contact
+  int types;                 ///< 1 if all types have the same law
+  std::uint32_t frozenRole;  ///< bits of Motion::word
   Real dt;
   double halfKick;
   bool advanceSprings;

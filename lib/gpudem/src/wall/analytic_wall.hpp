@@ -93,7 +93,7 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   WallGap gap;
   Real *kept = wall.history ? wall.history + static_cast<std::size_t>(wall.historySize) * i : nullptr;
   double reach = radius;
-  if (use == WallUse::Any && wall.flag && kept[0] != Real(0)) {
+  if (use == WallUse::Any && wall.flag && (kept[0] != Real(0) || wall.model->beforeTouch)) {
     const double effective = wallEffectiveRadius(radius, wallCurvature(wall, x));
     reach += static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(effective)));
   }
@@ -114,6 +114,9 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   c.relativeVelocity = Vec3<Real>{m.vx, m.vy, m.vz} - gap.velocity.template as<Real>();
   c.surfaceSpin = Vec3<Real>{m.wx, m.wy, m.wz} * static_cast<Real>(radius);
   c.spinDifference = {m.wx, m.wy, m.wz};
+  c.radiusDifference = -static_cast<Real>(radius);
+  c.inertia = m.mass * static_cast<Real>(radius * radius);
+  c.atWall = true;
   result = use == WallUse::Any && wall.model ? modelWallForce(wall, c, kept, dt, advance)
                                              : classicWallForce(wall, c, kept, dt, advance);
   if (wall.contacts) {

@@ -13,12 +13,14 @@ namespace gpudem {
 struct NoRolling {
   static constexpr const char *name = "none";
   static constexpr int history = 0;
+  static constexpr bool takesInertia = false;
   static std::vector<ParameterInfo> parameters() { return {}; }
   static std::vector<signed char> mirror() { return {}; }
   static void derive(const double *, const ModelContext &, double *) {}
   template <class Real>
   GPUDEM_HD static Vec3<Real> moment(const ModelCoefficients<Real> &, const Contact<Real> &, const ContactFrame<Real> &,
-                                     const NormalForce<Real> &, Real, Real *, Real, bool)
+                                     const NormalForce<Real> &, const TangentialStiffness<Real> &, Real, Real *, Real,
+                                     bool)
   {
     return {Real(0), Real(0), Real(0)};
   }
@@ -27,6 +29,7 @@ struct NoRolling {
 struct SdsRolling {
   static constexpr const char *name = "sds";
   static constexpr int history = 3;
+  static constexpr bool takesInertia = false;
   static std::vector<ParameterInfo> parameters()
   {
     return {notNegative("k", "force/distance"), notNegative("gamma", "force time/distance"), frictionParameter()};
@@ -42,8 +45,8 @@ struct SdsRolling {
   /// \return torque on the grain
   template <class Real>
   GPUDEM_HD static Vec3<Real> moment(const ModelCoefficients<Real> &k, const Contact<Real> &c,
-                                     const ContactFrame<Real> &f, const NormalForce<Real> &, Real base, Real *history,
-                                     Real dt, bool advance)
+                                     const ContactFrame<Real> &f, const NormalForce<Real> &,
+                                     const TangentialStiffness<Real> &, Real base, Real *history, Real dt, bool advance)
   {
     Vec3<Real> spring{history[0], history[1], history[2]};
     const Vec3<Real> rate = cross(c.spinDifference, f.normal) * c.effectiveRadius;

@@ -81,11 +81,13 @@ struct SpringTangential {
     return m;
   }
   static double friction(const double *p) { return p[2]; }
+  /// What NULL stands for in place of a parameter.
+  static double derived(std::size_t, const ContactModuli &m) { return 8.0 * m.shear; }
   static void derive(const double *p, const ModelContext &context, double *c)
   {
     if (std::isnan(p[0]) && !context.moduli.known)
       throw Error("tangential stiffness NULL needs a normal sub-model that names a material (E, nu)");
-    c[modulus] = std::isnan(p[0]) ? 8.0 * context.moduli.shear : p[0];
+    c[modulus] = std::isnan(p[0]) ? derived(0, context.moduli) : p[0];
     c[drag] = p[1];
     c[coulomb] = p[2];
   }

@@ -15,6 +15,7 @@ struct NoTangential {
   static std::vector<ParameterInfo> parameters() { return {}; }
   static std::vector<signed char> mirror() { return {}; }
   static double friction(const double *) { return 0.0; }
+  static double derived(std::size_t, const ContactModuli &) { return 0.0; }
   static void derive(const double *, const ModelContext &, double *) {}
   template <class Real>
   GPUDEM_HD static Vec3<Real> force(const ModelCoefficients<Real> &, const ContactFrame<Real> &, Real, Real, Real,
@@ -35,6 +36,7 @@ struct ViscousTangential {
   static std::vector<ParameterInfo> parameters() { return {notNegative("xgt", "-"), frictionParameter()}; }
   static std::vector<signed char> mirror() { return {}; }
   static double friction(const double *p) { return p[1]; }
+  static double derived(std::size_t, const ContactModuli &) { return 0.0; }
   static void derive(const double *p, const ModelContext &, double *c)
   {
     c[drag] = p[0];

@@ -169,12 +169,11 @@ int LAMMPS_NS::readGranularWords(LAMMPS *lmp, const std::string &command, int na
       else {
         std::vector<std::string> names;
         for (const auto &m : gpudem::subModels(ModelSlot::Normal)) names.push_back(m.name);
-        lmp->error->all(
-            FLERR,
-            "{}: unknown word '{}'; known are the normal sub-models {}, and the keywords damping, "
-            "tangential, rolling, twisting, cohesion, arm, coulomb, cutoff, limit_damping (a material file is "
-            "named *.gran)",
-            command, w, fmt::join(names, ", "));
+        lmp->error->all(FLERR,
+                        "{}: unknown word '{}'; known are the normal sub-models {}, and the keywords damping, "
+                        "tangential, rolling, twisting, cohesion, arm, coulomb, cutoff, limit_damping (a material file is "
+                        "named *.gran)",
+                        command, w, fmt::join(names, ", "));
       }
     }
     if (!normal)
@@ -201,9 +200,6 @@ std::string LAMMPS_NS::granularWords(const ContactModel &model)
       fmt::format("{} damping {} tangential {}", words(model.normal), model.damping.name, words(model.tangential));
   if (model.rolling.name != "none") all += " rolling " + words(model.rolling);
   if (model.twisting.name != "none") all += " twisting " + words(model.twisting);
-  if (model.cohesion.name != "none") all += " cohesion " + words(model.cohesion);
-  if (model.slipLever != 0.0) all += " arm contact_point";
-  if (model.coulombBase == gpudem::CoulombBase::Net) all += " coulomb net";
   if (model.limitDamping) all += " limit_damping";
   return all;
 }

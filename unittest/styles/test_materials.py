@@ -103,6 +103,10 @@ class Numbers(StylesTest):
         for law in words.values():
             self.assertIn("tangential mindlin/force NULL 0.5", law)
             self.assertTrue(law.endswith("twisting marshall limit_damping"))
+        for rolling in ("epsd2", "epsd", "cdt"):
+            words = self.both(MATERIALS + ROLLING.replace("twisting 0.02", "") + f"law rolling {rolling}\n",
+                              precisions=("double",))
+            self.assertIn(f"rolling {rolling} 0.1", words[("1", "2")])
         words = self.both(MATERIALS + ROLLING + "law rolling none twisting none\n", precisions=("double",))
         self.assertNotIn("sds", "".join(words.values()))
 
@@ -171,7 +175,7 @@ class Messages(StylesTest):
         ("pair wall hard", "law hooke\npair wall hard", ("line 11", "'hooke'", "hertz/material, dmt, jkr", "radius")),
         ("pair wall hard", "law tangential mindlim\npair wall hard",
          ("line 11", "'mindlim'", "mindlin, mindlin_rescale, mindlin/force, mindlin_rescale/force")),
-        ("pair wall hard", "law rolling epsd\npair wall hard", ("line 11", "'epsd'", "sds, none")),
+        ("pair wall hard", "law rolling epds\npair wall hard", ("line 11", "'epds'", "sds, epsd2, epsd, cdt, none")),
         ("pair wall hard", "law twisting\npair wall hard", ("line 11", "twisting sub-model is missing")),
         ("pair wall hard", "law dmt\nlaw jkr\npair wall hard", ("line 12", "second law", "line 11")),
         ("pair wall hard", "law tangential_damping -1\npair wall hard", ("line 11", "tangential_damping = -1")),

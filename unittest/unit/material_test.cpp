@@ -197,6 +197,11 @@ TEST(Material, RollingAndTwistingAtTheReferenceContact)
     EXPECT_TRUE(same(made.twisting.parameter[1], 2.0 * beta * std::sqrt(turning * spin)));
     EXPECT_EQ(made.twisting.parameter[2], 1e-5);
   }
+  law.rolling = "epsd2";
+  EXPECT_EQ(materialModel(glass, steel, pair, law).rolling.parameter, std::vector<double>{0.02});
+  law.rolling = "epsd";
+  EXPECT_EQ(materialModel(glass, steel, pair, law).rolling.parameter[0], 0.02);
+  EXPECT_TRUE(same(materialModel(glass, steel, pair, law).rolling.parameter[1], beta));
   law.rolling = law.twisting = "none";
   EXPECT_EQ(materialModel(glass, steel, pair, law).rolling.name, "none");
   EXPECT_EQ(materialModel(glass, steel, pair, law).twisting.name, "none");
@@ -225,7 +230,7 @@ TEST(Material, EveryNumberHasARange)
   expect(message(glass, pairOf(0.9, -0.3), {}), "friction = -0.3 must lie between 0 and 10000");
   MaterialPair rolls = good;
   rolls.rolling = 0.1;
-  expect(message(glass, rolls, {}), "radius and speed");
+  expect(message(glass, rolls, {}), "radius R speed V");
   MaterialLaw law;
   law.radius = 1e-3;
   law.speed = -1.0;

@@ -51,8 +51,9 @@ const std::vector<std::string> &materialNames(ModelSlot slot)
       {"hertz/material", "dmt", "jkr"},
       {"coeff_restitution"},
       {"mindlin", "mindlin_rescale", "mindlin/force", "mindlin_rescale/force"},
-      {"sds", "none"},
-      {"sds", "marshall", "none"}};
+      {"sds", "epsd2", "epsd", "cdt", "none"},
+      {"sds", "marshall", "none"},
+      {"none"}};
   return names[static_cast<std::size_t>(slot)];
 }
 
@@ -101,9 +102,9 @@ ReferenceContact referenceContact(const Material &a, const Material &b, const Ma
 {
   if (!(law.radius > 0.0) || !(law.speed > 0.0))
     throw Error(
-        "rolling and twisting need the law's radius and speed of the impact at which their springs are taken (law "
-        "radius "
-        "R speed V)");
+        "rolling sds and twisting sds need the radius and the speed of the impact at which their springs are taken: "
+        "law "
+        "radius R speed V, or let the law take rolling epsd2 and twisting marshall");
   const bool wall = partner == Partner::Wall;
   if (!(a.density > 0.0) || (!wall && !(b.density > 0.0)))
     throw Error("rolling and twisting need the density of the grains");
@@ -169,8 +170,12 @@ ContactModel materialModel(const Material &a, const Material &b, const MaterialP
       law.tangential,
       {std::numeric_limits<double>::quiet_NaN(),
        std::isnan(law.tangentialDamping) ? tangentialDampingRatio(moduli) : law.tangentialDamping, pair.friction}};
-  if (pair.rolling > 0.0 && law.rolling == "sds")
-    m.rolling = {"sds", rollingParameters(referenceContact(a, b, law, partner), pair, partner)};
+  if (pair.rolling > 0.0 && law.rolling != "none") {
+    m.rolling = {law.rolling, {pair.rolling}};
+    if (law.rolling == "sds")
+      m.rolling.parameter = rollingParameters(referenceContact(a, b, law, partner), pair, partner);
+    if (law.rolling == "epsd") m.rolling.parameter.push_back(criticalPart(pair.restitution));
+  }
   if (law.twisting == "marshall") m.twisting.name = "marshall";
   else if (pair.twisting > 0.0 && law.twisting == "sds")
     m.twisting = {"sds", twistingParameters(referenceContact(a, b, law, partner), pair, law.radius)};

@@ -152,6 +152,21 @@ GranularWords PairGranularGpudem::readTables(int i, int j) const
   return w;
 }
 
+/// A law that LAMMPS does not have is left out, so that the run after it asks for its pair_coeff.
+void PairGranularGpudem::write_restart(FILE *fp)
+{
+  std::vector<std::pair<int, int>> left;
+  for (const auto &entry : models_)
+    if (!stockNumbers(entry.second).known) left.push_back(entry.first);
+  if (!left.empty())
+    error->warning(FLERR,
+                   "Pair granular: a restart file cannot hold sub-models that LAMMPS does not have; give their "
+                   "pair_coeff again after read_restart");
+  for (const auto &[i, j] : left) setflag[i][j] = 0;
+  PairGranular::write_restart(fp);
+  for (const auto &[i, j] : left) setflag[i][j] = 1;
+}
+
 void PairGranularGpudem::read_restart(FILE *fp)
 {
   PairGranular::read_restart(fp);

@@ -25,6 +25,7 @@ class PairGranularGpudem : public PairGranular, public ResidentPair {
   void coeff(int narg, char **arg);
   void init_style();
   double init_one(int i, int j);
+  void write_restart(FILE *fp);
   void read_restart(FILE *fp);
   void compute(int eflag, int vflag);
   double single(int i, int j, int itype, int jtype, double rsq, double factorCoul, double factorLj, double &fforce);

@@ -99,7 +99,7 @@ struct ContactChunk {
       const std::uint32_t k = candidate[n], i = begin + owner[k], j = partner[k];
       const bool held = keeps && touching[k] != 0;
       const std::uint32_t kind = Law::kind(s, i, j);
-      GatheredPair<Real> g;
+      GatheredPair<Real> g{};
       const bool touches = gatherPair<Law>(s, loadSelf(s, i), j, kind, held, g);
       b.put(k, kind, g);
       if (Law::takesInertia(s)) b.inertia[b.size] = g.inertia;

@@ -51,13 +51,14 @@ def main():
     parser.add_argument("--size", type=int, default=1, help="replication in x and in y; 33: 8.1 million grains")
     parser.add_argument("--steps", type=int, default=500)
     parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--precision", nargs="+", default=["double", "mixed"], choices=["double", "mixed"])
     parser.add_argument("--laws", nargs="+", default=list(LAWS), choices=list(LAWS), metavar="LAW")
     arguments = parser.parse_args()
 
     root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
     listed = [(f"GPUDEM {arguments.device}, {p}", [arguments.gpudem, "-sf", "gpudem"],
                {"GPUDEM_DEVICE": arguments.device, "GPUDEM_PRECISION": p, "GPUDEM_THREADS": str(arguments.ranks)})
-              for p in ("double", "mixed")]
+              for p in arguments.precision]
     if arguments.stock:
         listed.insert(0, (f"stock, {arguments.ranks} ranks",
                           ["mpirun", *root, "--oversubscribe", "-np", str(arguments.ranks), arguments.stock], {}))

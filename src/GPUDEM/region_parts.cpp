@@ -137,12 +137,12 @@ std::vector<gpudem::PartMotion> LAMMPS_NS::partMotions(LAMMPS *lmp, const std::v
     if (!region->dynamic || isTree(kindOf(region))) continue;
     advance(lmp->update, region);
     gpudem::PartMotion &m = motions[k];
-    if (region->moveflag) {
-      m.displacement = {region->dx, region->dy, region->dz};
-      copy(m.velocity, region->v);
-    }
+    if (region->moveflag) m.displacement = {region->dx, region->dy, region->dz};
+    if (region->rotateflag) m.angle = region->theta;
+    // a run begins at rest, as in LAMMPS where its difference is one; not so where the region was elsewhere before
+    if (lmp->update->setupflag) continue;
+    if (region->moveflag) copy(m.velocity, region->v);
     if (!region->rotateflag) continue;
-    m.angle = region->theta;
     // LAMMPS multiplies the angular velocity by the axis as the script gives it, whatever its length
     const double *axis = GpudemCompat::regionMotion(region).axis, *w = region->omega;
     m.angularVelocity = (w[0] * axis[0] + w[1] * axis[1] + w[2] * axis[2]) /

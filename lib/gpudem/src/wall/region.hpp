@@ -120,18 +120,24 @@ GPUDEM_HD bool matches(const RegionView &g, int k, const Vec3<double> &x, bool t
   return (match >> k & 1u) != 0;
 }
 
+/// LAMMPS gives all faces that a member of a tree shows to its outside one number; from the second on they get one here.
+constexpr int ownNumbers = 6 * maxRegionParts;
+
 /// Does the contact of part \p k at \p at count in the unions and intersections above it?
 /// \param number of the face in the part; becomes its number in the region
 GPUDEM_HD bool countsAbove(const RegionView &g, int k, const Vec3<double> &at, int &number)
 {
+  const int face = number;
+  bool shared = false;
   for (int child = k, a = g.part[k].parent; a >= 0; child = a, a = g.part[a].parent) {
     const RegionShape &s = g.part[a], &c = g.part[child];
     const bool joins = (s.kind == RegionKind::Union) == s.listsInside;  // members hide each other's surfaces
     for (int j = a + 1; j < a + s.size; j += g.part[j].size)
       if (j != child && !(joins && g.part[j].open) && matches(g, j, at, !s.listsInside) == joins) return false;
-    if (s.listsInside) number += c.numberOffset;
-    else number = number == 0 ? c.order : s.members + c.numberOffset + number;
+    shared = shared || (!s.listsInside && number != 0);
+    number = s.listsInside ? number + c.numberOffset : c.order;
   }
+  if (shared) number = ownNumbers + maxSurfacePoints * k + face;
   return true;
 }
 

@@ -78,7 +78,7 @@ GPUDEM_HD int roundFromInside(const RegionShape &s, const Vec3<double> &x, doubl
   return n;
 }
 
-/// Nearest point of the closed faces; a rim belongs to the curved face.
+/// Nearest point of the closed faces. A rim belongs to the curved face, and is hollow for a grain within it.
 GPUDEM_HD int roundFromOutside(const RegionShape &s, const Vec3<double> &x, double reach, SurfacePoint *point)
 {
   const AxialPlace p = axialPlace(s, x);
@@ -93,7 +93,7 @@ GPUDEM_HD int roundFromOutside(const RegionShape &s, const Vec3<double> &x, doub
     const double d2 = squaredDistance(x, at);
     if (d2 < least) {
       least = d2;
-      point[0] = {at, 2.0 * radius, 0};
+      point[0] = {at, p.rho < radius ? -2.0 * radius : 2.0 * radius, 0};
       n = 1;
     }
   }

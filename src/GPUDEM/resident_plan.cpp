@@ -58,7 +58,8 @@ std::string obstacle(LAMMPS *lmp)
   for (int k = 0; k < lmp->modify->nfix; ++k) {
     const Fix *fix = lmp->modify->fix[k];
     if (fix->rigid_flag) return fmt::format("fix {} ({}) moves rigid bodies", fix->id, fix->style);
-    if (fix->box_change) return fmt::format("fix {} ({}) changes the box", fix->id, fix->style);
+    // how ranks share the box does not matter to one rank (fix balance)
+    if (fix->box_change & ~Fix::BOX_CHANGE_DOMAIN) return fmt::format("fix {} ({}) changes the box", fix->id, fix->style);
   }
   return "";
 }
@@ -125,7 +126,9 @@ void classify(LAMMPS *lmp, ResidentPlan &plan)
       plan.hostForces = hostForceSeen = true;
       when.emplace_back("every step (forces)");
     }
-    if ((mask & (PRE_NEIGHBOR | POST_NEIGHBOR)) || ((mask & PRE_EXCHANGE) && !fix->force_reneighbor)) {
+    // fix balance only finishes at pre_neighbor what it began at the step it asked for
+    const bool balances = fix->box_change & Fix::BOX_CHANGE_DOMAIN;
+    if (((mask & (PRE_NEIGHBOR | POST_NEIGHBOR)) && !balances) || ((mask & PRE_EXCHANGE) && !fix->force_reneighbor)) {
       plan.hostRebuilds = true;
       when.emplace_back("every reneighbouring");
     }

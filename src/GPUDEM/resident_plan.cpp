@@ -59,7 +59,8 @@ std::string obstacle(LAMMPS *lmp)
     const Fix *fix = lmp->modify->fix[k];
     if (fix->rigid_flag) return fmt::format("fix {} ({}) moves rigid bodies", fix->id, fix->style);
     // how ranks share the box does not matter to one rank (fix balance)
-    if (fix->box_change & ~Fix::BOX_CHANGE_DOMAIN) return fmt::format("fix {} ({}) changes the box", fix->id, fix->style);
+    if (fix->box_change & ~Fix::BOX_CHANGE_DOMAIN)
+      return fmt::format("fix {} ({}) changes the box", fix->id, fix->style);
   }
   return "";
 }

@@ -65,6 +65,7 @@ CHUTE_MIXED_ENERGY = 1e-6
 
 # Bulk of a poured heap, which is chaotic: means over thousands of grains, in different micro-states.
 BULK_HEIGHT = 0.02          # relative, mean height of the heap
+BULK_HEIGHT_FEW = 0.3       # the same for a hundred grains in motion: stock runs that differ in the seed differ as much
 BULK_SIGMAS = 4.0           # contacts per grain c of n grains: standard error of a difference, sqrt(4 c / n), times this
 BULK_FLOW_SPREAD = 0.13     # contacts per grain of the 3000 grains flowing: spread of stock runs that differ in skin only
 BULK_ENERGY_BAND = 0.25     # relative, kinetic energy while pouring

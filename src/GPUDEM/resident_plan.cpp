@@ -147,7 +147,9 @@ void classify(LAMMPS *lmp, ResidentPlan &plan)
       plan.hostForces = hostForceSeen = true;
       when.emplace_back("every step (forces)");
     }
-    if ((mask & (PRE_NEIGHBOR | POST_NEIGHBOR)) || ((mask & PRE_EXCHANGE) && !fix->force_reneighbor)) {
+    // fix balance only finishes at pre_neighbor what it began at the step it asked for
+    const bool balances = fix->box_change & Fix::BOX_CHANGE_DOMAIN;
+    if (((mask & (PRE_NEIGHBOR | POST_NEIGHBOR)) && !balances) || ((mask & PRE_EXCHANGE) && !fix->force_reneighbor)) {
       plan.hostRebuilds = true;
       when.emplace_back("every reneighbouring");
     }

@@ -5,13 +5,16 @@
 The clouds fill a box of 7.2 diameters. Where stock LAMMPS 29 Sep 2021 is wrong (test_region_corrections.py) the cases
 here keep away from it.
 """
+import re
 import unittest
 from dataclasses import dataclass, field
 
+import numpy as np
+
 import scenes
-from compare import compare_dumps, compare_thermo
-from lammps import StylesTest, make_tests
-from tolerance import DOUBLE, MIXED
+from compare import _say, compare_dumps, compare_thermo
+from lammps import StylesTest, make_tests, source_file
+from tolerance import BULK_ENERGY_BAND, BULK_HEIGHT, BULK_LOST, DOUBLE, MIXED
 
 NVE = "fix move all nve/sphere\n"
 DOWN = "fix down all gravity 10.0 vector 1.0 2.0 -9.0\n"
@@ -228,6 +231,144 @@ class RegionsTest(StylesTest):
                 self.assertNotIn("wall/gran/region) on the host", ours.everything)
             disturbed = compare_dumps(self, stock.dump(), ours.dump(), tolerance, scenes.DIAMETER, what=precision)
             compare_thermo(self, stock.thermo(), ours.thermo(), tolerance, what=precision, disturbed=disturbed)
+
+
+HALF = 100
+
+
+class Restart(StylesTest):
+    """Contacts with several faces and the motion of the region travel in restart files of either code."""
+    # not time, which a restart file does not carry
+    region = ("variable dx equal 0.04*sin(0.03*step)\nvariable dz equal -0.00005*step\n"
+              "region a cylinder y 3.6 3.5 3.9 0.3 6.9 units box move v_dx NULL v_dz\n"
+              "region b plane 0.4 0.2 0.3 1.0 0.3 0.5 units box\n")
+    fixes = NVE + DOWN + f"fix w all wall/gran/region {HISTORY} region a\nfix v all wall/gran/region {GRANULAR} region b\n"
+
+    def first_half(self, gpudem):
+        text = (scenes.head("f f f") + scenes.middle() + self.region + self.fixes + scenes.output(HALF) +
+                f"restart {HALF} state.*\nrun {HALF}\nwrite_restart state.written\n")
+        return self.run_lammps(text, [("cloud.data", scenes.cloud(**BOXED))], gpudem=gpudem)
+
+    def second_half(self, gpudem, state, steps=HALF):
+        text = ("newton off\ncomm_modify vel yes\nread_restart state\n" + scenes.middle() + self.region + self.fixes +
+                scenes.output(50) + f"run {steps}\n")
+        run = self.run_lammps(text, [("state", state.read_bytes())], gpudem=gpudem)
+        if gpudem:
+            self.assertResident(run)
+            self.assertNotIn("wall/gran/region) on the host", run.everything)
+        return run
+
+    def check(self, writer, reader, file="state.100"):
+        stock = self.second_half(None, self.first_half(None).path(file))
+        ours = self.second_half(reader, self.first_half(writer).path(file))
+        self.assertIn("Resetting global fix info from restart file", ours.everything)
+        self.assertIn("Resetting peratom fix info from restart file", ours.everything)
+        self.assertNotIn("resetting its motion", ours.everything)
+        compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
+        compare_thermo(self, stock.thermo(), ours.thermo(), DOUBLE)
+
+    def test_stock_to_gpudem(self):
+        self.check(None, "double")
+
+    def test_gpudem_to_stock(self):
+        self.check("double", None)
+
+    def test_gpudem_to_gpudem(self):
+        self.check("double", "double")
+
+    def test_write_restart_command(self):
+        self.check("double", None, file="state.written")
+        self.check(None, "double", file="state.written")
+
+    def test_springs_are_carried(self):
+        """Without what the walls keep the run goes another way."""
+        state = self.first_half("double").path("state.100")
+        kept = self.second_half("double", state).dump()
+        renamed = self.fixes.replace("fix w ", "fix other ").replace("fix v ", "fix another ")
+        self.fixes = renamed
+        lost = self.second_half("double", state).dump()
+        names, a = kept[2 * HALF]
+        off = np.abs(a - lost[2 * HALF][1])[:, names.index("vx")].max() / np.abs(a[:, names.index("vx")]).max()
+        self.assertGreater(off, 1e-4)
+
+    def test_runs_in_pieces(self):
+        """The region goes on from where it was, in the next run and without a setup."""
+        text = (scenes.head("f f f") + scenes.middle() + self.region + self.fixes + scenes.output(50) +
+                "run 50\nrun 50 pre no\nrun 100\n")
+        files = [("cloud.data", scenes.cloud(**BOXED))]
+        stock, ours = self.run_lammps(text, files), self.run_lammps(text, files, gpudem="double")
+        self.assertResident(ours)
+        compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
+
+    def test_from_the_device_to_the_host_and_back(self):
+        """A fix that acts on forces on the host takes the wall behind it along."""
+        text = (scenes.head("f f f") + scenes.middle() + self.region + NVE + "fix push all addforce 0.1 0.0 0.0\n" +
+                self.fixes.replace(NVE, "") + scenes.output(50) + "run 60\nunfix push\nrun 60\n"
+                "fix push all addforce 0.1 0.0 0.0\nrun 60\n")
+        files = [("cloud.data", scenes.cloud(**BOXED))]
+        stock, ours = self.run_lammps(text, files), self.run_lammps(text, files, gpudem="double")
+        self.assertIn("wall/gran/region) on the host", ours.everything)
+        compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
+
+
+class Examples(StylesTest):
+    """LAMMPS' own examples of granular regions, from its sources. They are chaotic. Fewer steps, and where grains would
+    not have arrived by then more gravity."""
+
+    def each(self, folder, name, changes):
+        """Stock's run, and those of both precisions. changes: (pattern, replacement) of the text."""
+        text = source_file("examples", folder, name).read_text()
+        for pattern, replacement in changes:
+            text, found = re.subn(pattern, replacement, text)
+            self.assertTrue(found, pattern)
+        text += "\nwrite_dump all custom dump.out id x y z radius mass vx vy vz modify sort id format float %.17g\n"
+        stock = self.run_lammps(text, timeout=900)
+        for precision in ("double", "mixed"):
+            ours = self.run_lammps(text, gpudem=precision, threads=2, timeout=900)
+            self.assertResident(ours)
+            self.assertNotIn("wall/gran/region) on the host", ours.everything)
+            yield precision, stock, ours
+
+    def heap(self, run):
+        """Mean height over the lowest grain, and kinetic energy."""
+        names, a = list(run.dump().values())[-1]
+        z, mass, v = a[:, names.index("z")], a[:, names.index("mass")], a[:, [names.index(c) for c in ("vx", "vy", "vz")]]
+        return z.mean() - z.min(), 0.5 * (mass[:, None] * v * v).sum()
+
+    def check(self, *arguments):
+        for precision, stock, ours in self.each(*arguments):
+            self.assertEqual(len(stock.thermo()), len(ours.thermo()))
+            for (columns, a), (_, b) in zip(stock.thermo(), ours.thermo()):
+                atoms = columns.index("Atoms")
+                self.assertLessEqual(np.abs(a[:, atoms] - b[:, atoms]).max(), BULK_LOST * a[:, atoms].max(), precision)
+            (height, energy), (height2, energy2) = self.heap(stock), self.heap(ours)
+            _say(f"{self.id()} {precision}", {"height": height2 / height - 1, "energy": energy2 / energy - 1})
+            self.assertLessEqual(abs(height2 - height), BULK_HEIGHT * max(height, scenes.DIAMETER), precision)
+            self.assertLessEqual(abs(energy2 - energy), BULK_ENERGY_BAND * energy, precision)
+
+    def test_funnel(self):
+        """Poured into a cone, settled, and let out below: a union of open shapes, redefined between runs."""
+        self.check("granregion", "in.granregion.funnel",
+                   ((r"(?m)^run\s+\d+", "run 6000"), ("gravity equal 1.0", "gravity equal 100.0"), ("logfreq equal 1000", "logfreq equal 500")))
+
+    def test_mixer(self):
+        """Two rotating blades in a cylinder."""
+        self.check("granregion", "in.granregion.mixer",
+                   ((r"(?m)^run\s+\d+", "run 6000"), ("gravity equal 1.0", "gravity equal 50.0"), ("logfreq equal 1000", "logfreq equal 500")))
+
+    def test_drum(self):
+        """It pours two kinds of grains into each other, and what those do at once is a matter of pair style granular, where
+        stock is wrong: here it is asked whether the drum and its lids hold what is in them.
+        """
+        shorter = ((r"(?m)^run\s+\d+", "run 1500"), ("gravity 10 vector", "gravity 40 vector"))
+        for _, stock, run in self.each("granular", "in.pour.drum", shorter):
+            names, a = list(run.dump().values())[-1]
+            x, y, z, radius = (a[:, names.index(c)] for c in ("x", "y", "z", "radius"))
+            self.assertGreater(len(a), 1000)
+            self.assertEqual(run.thermo()[1][1][0, 1], len(a), "no grain is lost")
+            out = np.maximum(np.hypot(x - 15.0, y - 15.0) - 15.0, np.maximum(-z, z - 20.0)) + radius
+            self.assertGreater((out > 0.0).sum(), 50, "many touch the drum")
+            self.assertLess(out.max(), 0.1, "none is deep in it")
 
 
 make_tests(RegionsTest, CASES, globals())

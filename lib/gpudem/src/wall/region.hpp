@@ -120,7 +120,8 @@ GPUDEM_HD bool matches(const RegionView &g, int k, const Vec3<double> &x, bool t
   return (match >> k & 1u) != 0;
 }
 
-/// LAMMPS gives all faces that a member of a tree shows to its outside one number; from the second on they get one here.
+/// LAMMPS gives all faces that a member of a tree shows to its outside one number; from the second on they get one
+/// here.
 constexpr int ownNumbers = 6 * maxRegionParts;
 
 /// Does the contact of part \p k at \p at count in the unions and intersections above it?

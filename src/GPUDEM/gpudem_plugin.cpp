@@ -15,6 +15,7 @@
 #include "fix_setforce_gpudem.h"
 #include "fix_viscous_gpudem.h"
 #include "fix_wall_gran_gpudem.h"
+#include "fix_wall_gran_region_gpudem.h"
 #include "gpudem_command.h"
 #include "gpudem_settings.h"
 #include "pair_gran_hertz_history_gpudem.h"
@@ -81,6 +82,7 @@ void registerStyles(LAMMPS *lmp)
   fixes["setforce/gpudem"] = &makeFix<FixSetForceGpudem>;
   fixes["enforce2d/gpudem"] = &makeFix<FixEnforce2DGpudem>;
   fixes["wall/gran/gpudem"] = &makeFix<FixWallGranGpudem>;
+  fixes["wall/gran/region/gpudem"] = &makeFix<FixWallGranRegionGpudem>;
   fixes["move/gpudem"] = &makeFix<FixMoveGpudem>;
 
   auto &computes = *lmp->modify->compute_map;

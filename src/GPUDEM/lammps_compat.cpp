@@ -2,25 +2,14 @@
 // Copyright (c) 2026 The GPUDEM developers
 #include "lammps_compat.h"
 
+#include "lammps_expose.h"
+
 #include "pair_granular.h"
 #include "pair_hybrid.h"
 
 using namespace LAMMPS_NS;
 
-// Explicit instantiation may name private members ([temp.spec.general] of the C++ standard), which is how a
-// plugin can read lists for which LAMMPS offers no accessor without touching LAMMPS' sources.
 namespace {
-template <class Tag, typename Tag::type member>
-struct Expose {
-  friend typename Tag::type reach(Tag) { return member; }
-};
-#define GPUDEM_EXPOSE(tag, owner, member_type, member) \
-  struct tag {                                         \
-    using type = member_type owner::*;                 \
-    friend type reach(tag);                            \
-  };                                                   \
-  template struct Expose<tag, &owner::member>
-
 GPUDEM_EXPOSE(ThermoComputeCount, Thermo, int, ncompute);
 GPUDEM_EXPOSE(ThermoComputes, Thermo, Compute **, computes);
 GPUDEM_EXPOSE(ThermoFixCount, Thermo, int, nfix);
@@ -48,7 +37,6 @@ GPUDEM_EXPOSE(GranularTwistHistory, PairGranular, int, twist_history);
 GPUDEM_EXPOSE(HybridCount, PairHybrid, int, nstyles);
 GPUDEM_EXPOSE(HybridStyles, PairHybrid, Pair **, styles);
 GPUDEM_EXPOSE(HybridNames, PairHybrid, char **, keywords);
-#undef GPUDEM_EXPOSE
 }  // namespace
 
 GpudemCompat::ThermoInputs GpudemCompat::thermoInputs(Thermo *thermo)

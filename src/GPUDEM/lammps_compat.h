@@ -24,9 +24,11 @@
 namespace LAMMPS_NS {
 class Compute;
 class Fix;
+class FixWallGranRegion;
 class Pair;
 class PairGranular;
 class PairHybrid;
+class Region;
 
 namespace GpudemCompat {
 
@@ -51,6 +53,33 @@ void setGranularHistory(PairGranular *pair, bool tangential, bool roll, bool twi
 
 /// The sub-style of a hybrid that has only one and uses it for all pairs of \p types types, else null.
 Pair *soleSubStyle(PairHybrid *hybrid, int types);
+
+/// What fix wall/gran/region keeps, which LAMMPS keeps private.
+struct RegionWall {
+  Region *region;
+  int most;       ///< contacts of one atom (tmax)
+  int *contacts;  ///< [nmax] contacts of each atom; these arrays are null if the law keeps nothing
+  int **face;     ///< [nmax][most] number of the face
+};
+RegionWall regionWall(FixWallGranRegion *fix);
+/// [nmax][most][size_history] numbers of the contacts.
+double ***&regionWallHistory(FixWallGranRegion *fix);
+
+/// Numbers of a region, in its own units already; what its style does not have is zero.
+struct RegionNumbers {
+  double lo[3], hi[3], tilt[3], centre[3], normal[3];
+  int axis;
+  double radius, radiusHi;
+};
+/// \return false if the style of the region is not block, prism, sphere, cylinder, cone or plane
+bool regionNumbers(Region *region, RegionNumbers &numbers);
+
+/// How a region moves.
+struct RegionMotion {
+  const char *variable[4];            ///< names for x, y, z and the angle; null where it does not move
+  const double *pivot, *unit, *axis;  ///< of the rotation: point, unit vector, the vector as the script gives it
+};
+RegionMotion regionMotion(Region *region);
 
 /// Formula of an equal-style variable, empty if \p index is of another style.
 std::string equalFormula(Variable *variable, int index);

@@ -4,11 +4,11 @@
 
 #include "fix_move_gpudem.h"
 #include "fix_neigh_history_gpudem.h"
-#include "fix_wall_gran_gpudem.h"
 #include "formula.h"
 #include "gpudem/engine.h"
 #include "lammps_compat.h"
 #include "resident.h"
+#include "resident_wall.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -92,9 +92,10 @@ ResidentVerdict place(ResidentFix *candidate, ResidentPlan &plan, bool hostForce
     return ResidentVerdict::no(fmt::format("the device takes at most {} force terms", gpudem::maxTerms));
   if (!candidate->actsOnForce() && plan.scene.integrators.size() == gpudem::maxIntegrators)
     return ResidentVerdict::no(fmt::format("the device takes at most {} integrators", gpudem::maxIntegrators));
-  auto *wall = dynamic_cast<FixWallGranGpudem *>(candidate);
-  if (wall && plan.walls.size() == gpudem::maxWalls)
-    return ResidentVerdict::no(fmt::format("the device takes at most {} walls", gpudem::maxWalls));
+  auto *wall = dynamic_cast<ResidentWall *>(candidate);
+  const auto isPlain = [](const ResidentWall *w) { return !w->isRegion(); };
+  if (wall && isPlain(wall) && std::count_if(plan.walls.begin(), plan.walls.end(), isPlain) == gpudem::maxWalls)
+    return ResidentVerdict::no(fmt::format("the device takes at most {} planes and cylinders", gpudem::maxWalls));
   const ResidentVerdict verdict = candidate->resident();
   if (!verdict.possible) return verdict;
   candidate->term = -1;
@@ -146,7 +147,9 @@ void classify(LAMMPS *lmp, ResidentPlan &plan)
       plan.hostForces = hostForceSeen = true;
       when.emplace_back("every step (forces)");
     }
-    if ((mask & (PRE_NEIGHBOR | POST_NEIGHBOR)) || ((mask & PRE_EXCHANGE) && !fix->force_reneighbor)) {
+    // fix balance only finishes at pre_neighbor what it began at the step it asked for
+    const bool balances = fix->box_change & Fix::BOX_CHANGE_DOMAIN;
+    if (((mask & (PRE_NEIGHBOR | POST_NEIGHBOR)) && !balances) || ((mask & PRE_EXCHANGE) && !fix->force_reneighbor)) {
       plan.hostRebuilds = true;
       when.emplace_back("every reneighbouring");
     }

@@ -13,10 +13,10 @@ namespace LAMMPS_NS {
 class Fix;
 class FixMoveGpudem;
 class FixNeighHistoryGpudem;
-class FixWallGranGpudem;
 class LAMMPS;
 class ResidentFix;
 class ResidentPair;
+class ResidentWall;
 
 struct ResidentPlan {
   bool possible = false;
@@ -27,7 +27,7 @@ struct ResidentPlan {
   FixNeighHistoryGpudem *history = nullptr;  ///< null for history-free pair styles
   std::vector<ResidentFix *> fixes;          ///< all whose work the device does
   std::vector<ResidentFix *> varying;        ///< those with a step-dependent term
-  std::vector<FixWallGranGpudem *> walls;
+  std::vector<ResidentWall *> walls;
   std::vector<FixMoveGpudem *> moves;
 
   bool hostIntegrates = false;       ///< a host fix acts at initial_integrate, post_integrate or final_integrate

@@ -4,8 +4,8 @@
 
 #include "fix_move_gpudem.h"
 #include "fix_neigh_history_gpudem.h"
-#include "fix_wall_gran_gpudem.h"
 #include "gpudem_settings.h"
+#include "resident_wall.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -103,7 +103,7 @@ void ResidentState::uploadAll(const ResidentPlan &plan)
   if (plan.history) plan.history->exportTo(history);
   engine_->upload(host(), box(), plan.history ? &history : nullptr);
   std::vector<double> values;
-  for (FixWallGranGpudem *wall : plan.walls) {
+  for (ResidentWall *wall : plan.walls) {
     if (!wall->numbers()) continue;
     wall->exportHistory(values);
     engine_->uploadWallHistory(wall->wallIndex(), values.data());
@@ -140,7 +140,7 @@ void ResidentState::downloadContacts(const ResidentPlan &plan)
 void ResidentState::downloadWalls(const ResidentPlan &plan)
 {
   std::vector<double> values;
-  for (FixWallGranGpudem *wall : plan.walls) {
+  for (ResidentWall *wall : plan.walls) {
     if (wall->numbers()) {
       values.assign(static_cast<std::size_t>(wall->numbers()) * atom->nlocal, 0.0);
       engine_->downloadWallHistory(wall->wallIndex(), values.data());

@@ -3,6 +3,7 @@
 #include "verlet_gpudem.h"
 
 #include "resident.h"
+#include "resident_wall.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -110,12 +111,19 @@ gpudem::StepInputs VerletGpudem::inputs(bigint step)
 {
   gpudem::StepInputs in;
   in.step = step;
-  if (plan.varying.empty()) return in;
+  const auto moves = [](const ResidentWall *wall) { return wall->moves(); };
+  const bool moving = std::any_of(plan.walls.begin(), plan.walls.end(), moves);
+  if (plan.varying.empty() && !moving) return in;
   const bigint now = update->ntimestep;
   update->ntimestep = step;  // the variables read it
-  in.termValue.resize(plan.scene.terms.size());
-  for (std::size_t k = 0; k < in.termValue.size(); ++k) in.termValue[k] = plan.scene.terms[k].value;
-  for (ResidentFix *fix : plan.varying) in.termValue[fix->term] = fix->value();
+  if (!plan.varying.empty()) {
+    in.termValue.resize(plan.scene.terms.size());
+    for (std::size_t k = 0; k < in.termValue.size(); ++k) in.termValue[k] = plan.scene.terms[k].value;
+    for (ResidentFix *fix : plan.varying) in.termValue[fix->term] = fix->value();
+  }
+  if (moving) in.wallMotion.resize(plan.scene.walls.size());
+  for (ResidentWall *wall : plan.walls)
+    if (wall->moves()) in.wallMotion[wall->wallIndex()] = wall->motion();
   update->ntimestep = now;
   return in;
 }

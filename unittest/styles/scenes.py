@@ -8,12 +8,12 @@ DIAMETER = 1.0
 
 
 def cloud(cells=(8, 8, 8), spacing=0.9, speed=3.0, spin=5.0, seed=1, dimension=3, margin=(0.0, 0.0, 0.0),
-          frozen_layer=False, centred=False, edit=None):
+          frozen_layer=False, centred=False, keep=None, edit=None):
     """Text of a LAMMPS data file: jittered lattice, radii 0.4-0.5, densities 1-3, two types, many overlaps.
 
     margin: empty space between the grains and the box, each side. frozen_layer: the lowest layer is type 2 and
     at rest. centred: x and y are measured from the middle of the box, grains outside a cylinder are left out.
-    edit(atoms, velocities): last changes to the rows of the file.
+    keep(x): is there a grain at x? edit(atoms, velocities): last changes to the rows of the file.
     """
     rng = np.random.default_rng(seed)
     cells = np.array(cells)
@@ -31,6 +31,9 @@ def cloud(cells=(8, 8, 8), spacing=0.9, speed=3.0, spin=5.0, seed=1, dimension=3
         hi = hi + lo
         x = x + lo
         x = x[np.hypot(x[:, 0], x[:, 1]) < hi[0] - 0.2]
+        n = len(x)
+    if keep:
+        x = x[[bool(keep(p)) for p in x]]
         n = len(x)
     x = rng.permutation(x)   # atom-IDs in no spatial order
     radius = rng.uniform(0.4, 0.5, n)

@@ -6,6 +6,8 @@
 #include "gpudem/engine.h"
 #include "testing/oracle.h"
 
+#include <functional>
+
 namespace gpudem::testing {
 
 /// Grains and what their contacts keep.
@@ -26,6 +28,8 @@ class Driver {
   Grains read();
   /// All that a continuation needs; positions within the box.
   Saved save();
+  /// Values of moving parts at a step.
+  std::function<void(StepInputs &)> complete;
 
  private:
   Engine &engine_;
@@ -56,9 +60,10 @@ inline Driver::Driver(Engine &engine, const SceneSpec &scene, const Box &box, co
 
 inline void Driver::run(std::int64_t event, int batch, bool virial)
 {
-  const auto at = [](std::int64_t step) {
+  const auto at = [this](std::int64_t step) {
     StepInputs in;
     in.step = step;
+    if (complete) complete(in);
     return in;
   };
   std::int64_t step = now_ + 1;

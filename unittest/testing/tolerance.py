@@ -69,6 +69,7 @@ TUMBLED_HEIGHT = 0.2        # relative: 100 grains in a box turned over; stock r
 BULK_SIGMAS = 4.0           # contacts per grain c of n grains: standard error of a difference, sqrt(4 c / n), times this
 BULK_FLOW_SPREAD = 0.13     # contacts per grain of the 3000 grains flowing: spread of stock runs that differ in skin only
 BULK_ENERGY_BAND = 0.25     # relative, kinetic energy while pouring
+BULK_LOST = 0.02            # of the grains, which leave an open container one by one at chaotic times
 
 # A formula of two spheres evaluated in double against the code: round-off, and for rebounds the error of 1/80 of a
 # collision as time step (measured 1e-5).

@@ -53,10 +53,19 @@ struct ContactHistory {
   std::vector<double> spring;         ///< [contacts][size]
 };
 
+/// Where a part of a region is, and how it moves.
+struct PartMotion {
+  Array3 displacement{};       ///< (distance)
+  double angle = 0;            ///< about pivot and pivotAxis (radian)
+  Array3 velocity{};           ///< of the displacement (distance/time)
+  double angularVelocity = 0;  ///< of the angle (radian/time)
+};
+
 /// Values of the current step that a scene with moving parts changes.
 struct StepInputs {
-  std::int64_t step = 0;          ///< the step whose force is evaluated
-  std::vector<Array3> termValue;  ///< replaces ForceTerm::value where not empty
+  std::int64_t step = 0;                            ///< the step whose force is evaluated
+  std::vector<Array3> termValue;                    ///< replaces ForceTerm::value where not empty
+  std::vector<std::vector<PartMotion>> wallMotion;  ///< [walls][parts] of region walls; what is empty is at rest
 };
 
 /// What an evaluation of the force at an event shall leave behind.
@@ -131,7 +140,8 @@ class Engine {
   virtual void downloadHistory(ContactHistory &history) = 0;
 
   /// Numbers kept against wall \p wall, host order, [n][wallHistorySize(wall)]; zero where not touching. Walls whose
-  /// contacts outlive touch begin with a flag, 1 while in contact.
+  /// contacts outlive touch begin with a flag, 1 while in contact. A region wall keeps that mostContacts times, each
+  /// time after the number of the face plus one, which is 0 where there is no contact.
   virtual void uploadWallHistory(int wall, const double *spring) = 0;
   virtual void downloadWallHistory(int wall, double *spring) = 0;
   /// Columns flag, force, contact point, radius of the last evaluated force, host order, [n][8].

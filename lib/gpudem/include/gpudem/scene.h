@@ -39,9 +39,37 @@ struct ContactLaw {
   bool hasHistory() const { return tangential == TangentialModel::Spring; }
 };
 
-enum class WallShape { Plane, Cylinder };
+enum class RegionKind { Block, Prism, Sphere, Cylinder, Cone, Plane, Union, Intersect };
 
-/// One analytic wall: a pair of planes normal to an axis, or a cylinder around the z axis.
+/// One shape of a region, or the union or intersection of the parts that follow it. Conventions of LAMMPS' region
+/// command; faces are numbered as its contacts are: block x- x+ y- y+ z- z+, prism z- z+ y- y+ x- x+, cylinder and cone
+/// lower end, upper end, curved face.
+struct RegionPart {
+  RegionKind kind = RegionKind::Block;
+  int size = 1;                    ///< parts of this subtree: itself and, for union and intersection, its members
+  bool inside = true;              ///< grains are held inside (side in), false: outside
+  bool open = false;               ///< keyword open was given: both sides of the closed faces act
+  std::array<bool, 6> openFace{};  ///< by number
+  Array3 lo{}, hi{};               ///< block, prism: corners; cylinder, cone: ends at lo[axis], hi[axis] (distance)
+  Array3 tilt{};                   ///< prism: xy, xz, yz (distance)
+  Array3 centre{};                 ///< of a sphere; point on the axis of cylinder and cone; point of a plane (distance)
+  Array3 normal{};                 ///< plane: unit vector towards the inside
+  int axis = 2;                    ///< of cylinder and cone
+  double radius = 0;               ///< sphere, cylinder; cone at its lower end (distance)
+  double radiusHi = 0;             ///< cone at its upper end (distance)
+  bool moves = false;              ///< is displaced by PartMotion::displacement
+  bool rotates = false;            ///< is turned by PartMotion::angle, before it is displaced
+  Array3 pivot{}, pivotAxis{};     ///< a point on the axis of rotation (distance) and its unit vector
+};
+
+/// Most parts of one region wall: its kernel carries the motion of each.
+constexpr int maxRegionParts = 16;
+/// Most contacts of one grain with one region wall.
+constexpr int maxRegionContacts = 16;
+
+enum class WallShape { Plane, Cylinder, Region };
+
+/// One wall: a pair of planes normal to an axis, a cylinder around the z axis, or a region.
 struct WallSpec {
   ContactLaw law;
   std::optional<ContactModel> model;  ///< takes the place of law if there is one
@@ -53,15 +81,17 @@ struct WallSpec {
   std::uint32_t groupMask = ~0u;                         ///< grains that feel the wall
   bool wiggle = false;
   bool shear = false;
-  int motionAxis = 0;           ///< direction of wiggle or shear
-  double amplitude = 0;         ///< wiggle (distance)
-  double angularFrequency = 0;  ///< wiggle (radian/time)
-  std::int64_t stepOrigin = 0;  ///< step at which the wiggle starts
-  double shearSpeed = 0;        ///< (distance/time)
-  bool recordContacts = false;  ///< keep the eight columns of LAMMPS' "contacts" output
+  int motionAxis = 0;              ///< direction of wiggle or shear
+  double amplitude = 0;            ///< wiggle (distance)
+  double angularFrequency = 0;     ///< wiggle (radian/time)
+  std::int64_t stepOrigin = 0;     ///< step at which the wiggle starts
+  double shearSpeed = 0;           ///< (distance/time)
+  bool recordContacts = false;     ///< keep the eight columns of LAMMPS' "contacts" output
+  std::vector<RegionPart> region;  ///< Region: the whole first, members after their union or intersection
+  int mostContacts = 1;            ///< Region: contacts that one grain may have at a time
 };
 
-enum class ForceTermKind { Gravity, Viscous, SetForce, Freeze, Enforce2d, Wall };
+enum class ForceTermKind { Gravity, Viscous, SetForce, Freeze, Enforce2d, Wall, RegionWall };
 
 /// One entry of the ordered list of per-grain force terms (LAMMPS' order of fixes).
 struct ForceTerm {
@@ -69,7 +99,7 @@ struct ForceTerm {
   std::uint32_t groupMask = ~0u;
   Array3 value{};                    ///< gravity: acceleration; setforce: force
   std::array<bool, 3> prescribed{};  ///< setforce: which components are set
-  int wall = -1;                     ///< Wall: index into SceneSpec::walls
+  int wall = -1;                     ///< Wall, RegionWall: index into SceneSpec::walls
   bool record = false;               ///< sum the force that stood here before the term (fix vector)
   std::vector<double> dragPerType;   ///< viscous: gamma of types 1..n at [1..n] (force time/distance)
 };
@@ -113,7 +143,7 @@ struct SceneSpec {
 };
 
 /// Limits of the tables that travel with every launch.
-constexpr int maxWalls = 8;
+constexpr int maxWalls = 8;  ///< planes and cylinders; a region wall has a launch of its own
 constexpr int maxTerms = 16;
 constexpr int maxIntegrators = 4;
 constexpr int maxGroupExclusions = 16;

@@ -39,15 +39,18 @@ inline double largestPullOffGap(const SceneSpec &scene)
   return gap;
 }
 
+constexpr double widestFit = 10.0;  ///< largest effective radius at a region, in radii of the grain
+
 /// Largest gap across which a wall pulls on a grain of the scene (distance). Inside a cylinder the effective radius of
 /// a grain that fits is up to twice its radius.
 inline double wallPullOffGap(const WallSpec &wall, double largestRadius)
 {
   if (!wall.model) return 0.0;
-  return pullOffGap(*wall.model, wall.shape == WallShape::Cylinder ? 2.0 * largestRadius : largestRadius);
+  const double fit = wall.shape == WallShape::Plane ? 1.0 : wall.shape == WallShape::Cylinder ? 2.0 : widestFit;
+  return pullOffGap(*wall.model, fit * largestRadius);
 }
 
-/// Numbers that a wall keeps per grain, without the flag of adhesion.
+/// Numbers that a wall keeps per contact, without the flag of adhesion.
 inline HistoryLayout wallLayout(const WallSpec &wall)
 {
   return wall.model ? historyLayout(std::vector<ContactModel>{*wall.model}) : historyLayout(wall.law);
@@ -56,6 +59,13 @@ inline HistoryLayout wallLayout(const WallSpec &wall)
 inline int wallFlag(const WallSpec &wall)
 {
   return wall.model && reachesBeyondTouch(*wall.model) ? 1 : 0;
+}
+/// Numbers that a wall keeps per grain: those of its contact, or the slots of all contacts with a region.
+inline int wallKeeps(const WallSpec &wall)
+{
+  const int contact = wallFlag(wall) + wallLayout(wall).size;
+  if (wall.shape != WallShape::Region) return contact;
+  return contact ? wall.mostContacts * (1 + contact) : 0;
 }
 
 }  // namespace gpudem

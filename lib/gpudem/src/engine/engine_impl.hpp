@@ -15,6 +15,8 @@
 #include "step/contact_chunk.hpp"
 #include "step/kernel_products.hpp"
 #include "step/observables.hpp"
+#include "step/region_step.hpp"
+#include "step/region_views.hpp"
 #include "step/scene_views.hpp"
 
 #include <fmt/format.h>
@@ -82,7 +84,7 @@ class EngineImpl final : public Engine {
   void explainMemory(const Work &work);
   StepView<P> view(const StepInputs &in, std::int64_t coming);
   void runEvent(const StepInputs &in, const Recording &record, bool advance, bool finish);
-  void launchContacts(const StepView<P> &v, StepMode mode);
+  void launchContacts(const StepView<P> &v, const StepInputs &in, StepMode mode);
   template <StepMode mode>
   void launchContactsIn(const StepView<P> &v);
   template <class Law, StepMode mode>
@@ -90,9 +92,16 @@ class EngineImpl final : public Engine {
   template <class Law, StepMode mode, WallUse walls>
   void launchLawAndWalls(const StepView<P> &v);
   void setLaws();
+  void setRegions();
+  WallView<Real> wallView(std::size_t w, std::int64_t step);
   void attachWalls(WallView<Real> *wall, std::int64_t step);
+  bool isRegion(std::size_t w) const { return scene_.walls[w].shape == WallShape::Region; }
+  RegionStep<P> regionStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
+  void markNearRegions();
   void requireRows(const char *what) const;
+  void checkStatus(const Status &status, std::int64_t step);
   void throwBroken(std::uint32_t particle, std::int64_t step);
+  void throwCrowded(std::uint32_t particle, std::int64_t step);
   void collectObservables(const Recording &record);
 
   void extractSprings();
@@ -148,6 +157,10 @@ class EngineImpl final : public Engine {
   Array<Status> status_{"status"};
   Array<ModelCoefficients<Real>> models_{"contact laws"};  ///< of the type pairs, then of the walls
   std::vector<int> wallSize_;                              ///< numbers kept per grain and wall
+  std::vector<int> wallPlace_;                             ///< of planes and cylinders in a launch, -1 for regions
+  std::vector<std::uint8_t> wallSweeps_;                   ///< a region that changes its place
+  std::vector<Array<RegionShape>> regionShapes_;           ///< per wall, empty for planes and cylinders
+  std::vector<Array<Vec3<Real>>> regionLoad_;              ///< [n] forces, [n] torques of a region wall
   std::vector<Array<Vec3<Real>>> termBefore_;
   std::vector<Array<Real>> wallHistory_, wallContacts_, drag_;
   Array<Real> blockScratch_{"scratch (4)"};
@@ -157,5 +170,6 @@ class EngineImpl final : public Engine {
 }  // namespace gpudem
 
 #include "engine/engine_neighbors.inl.hpp"
+#include "engine/engine_regions.inl.hpp"
 #include "engine/engine_steps.inl.hpp"
 #include "engine/engine_transfer.inl.hpp"

@@ -172,19 +172,21 @@ void EngineImpl<Exec, P>::setAnchors()
   s.frame = frame_;
   s.rule = anchorRule_;
   s.skin = scene_.skin;
-  s.walls = static_cast<int>(scene_.walls.size());
   attachWalls(s.wall, 0);
-  for (int w = 0; w < s.walls; ++w) {
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
+    if (isRegion(w)) continue;
     const WallSpec &spec = scene_.walls[w];
-    s.wall[w].lo = spec.lo;
-    s.wall[w].hi = spec.hi;
-    s.wallPull[w] = wallPullOffGap(spec, scene_.largestRadius);
+    const int k = s.walls++;
+    s.wall[k].lo = spec.lo;
+    s.wall[k].hi = spec.hi;
+    s.wallPull[k] = wallPullOffGap(spec, scene_.largestRadius);
     const bool sweeps = spec.wiggle && spec.shape == WallShape::Plane && spec.axis == spec.motionAxis;
-    s.wallLoReach[w] = sweeps ? std::min(0.0, 2.0 * spec.amplitude) : 0.0;
-    s.wallHiReach[w] = sweeps ? std::max(0.0, 2.0 * spec.amplitude) : 0.0;
+    s.wallLoReach[k] = sweeps ? std::min(0.0, 2.0 * spec.amplitude) : 0.0;
+    s.wallHiReach[k] = sweeps ? std::max(0.0, 2.0 * spec.amplitude) : 0.0;
   }
   s.anchor = anchor_.data();
   exec_.forEach(count_, s);
+  markNearRegions();
 }
 
 }  // namespace gpudem

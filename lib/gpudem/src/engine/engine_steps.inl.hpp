@@ -10,14 +10,18 @@ namespace gpudem {
 template <class Exec, class P>
 void EngineImpl<Exec, P>::resetStatus()
 {
-  const Status fresh{noLimit, noParticle};
+  const Status fresh{noLimit, noParticle, noParticle};
   exec_.copyIn(status_.data(), &fresh, 1);
 }
 
 template <class Exec, class P>
 void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
 {
-  if (scene.walls.size() > maxWalls) throw Error(fmt::format("{} walls, at most {}", scene.walls.size(), maxWalls));
+  const auto plain = std::count_if(scene.walls.begin(), scene.walls.end(),
+                                   [](const WallSpec &wall) { return wall.shape != WallShape::Region; });
+  if (plain > maxWalls) throw Error(fmt::format("{} walls that are no regions, at most {}", plain, maxWalls));
+  if (scene.walls.size() > maxTerms)
+    throw Error(fmt::format("{} walls, but at most {} force terms", scene.walls.size(), maxTerms));
   if (scene.terms.size() > maxTerms)
     throw Error(fmt::format("{} force terms, at most {}", scene.terms.size(), maxTerms));
   if (scene.integrators.size() > maxIntegrators)
@@ -37,6 +41,7 @@ void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
     wallContacts_.emplace_back("contacts of a wall");
     wallSize_.push_back(wallHistorySize(wall));
   }
+  setRegions();
   termBefore_.clear();
   drag_.clear();
   for (const ForceTerm &term : scene.terms) {
@@ -88,21 +93,28 @@ void EngineImpl<Exec, P>::setLaws()
   exec_.copyIn(models_.data(), table.data(), table.size());
 }
 
-/// State of all walls at \p step with the arrays they write to.
+/// State of wall \p w at \p step with the arrays it writes to.
+template <class Exec, class P>
+auto EngineImpl<Exec, P>::wallView(std::size_t w, std::int64_t step) -> WallView<Real>
+{
+  const WallSpec &spec = scene_.walls[w];
+  WallView<Real> wall = wallAt<Real>(spec, roles_, step, scene_.timestep);
+  if (spec.model) {
+    wall.model = models_.data() + scene_.pairModels.size() + w;
+    wall.layout = layoutView(wallLayout(spec));
+    wall.flag = wallFlag(spec);
+  }
+  wall.historySize = wallSize_[w];
+  wall.history = wallSize_[w] ? wallHistory_[w].data() : nullptr;
+  return wall;
+}
+
+/// Planes and cylinders, which the kernels of the contacts hold.
 template <class Exec, class P>
 void EngineImpl<Exec, P>::attachWalls(WallView<Real> *wall, std::int64_t step)
 {
-  for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
-    const WallSpec &spec = scene_.walls[w];
-    wall[w] = wallAt<Real>(spec, roles_, step, scene_.timestep);
-    if (spec.model) {
-      wall[w].model = models_.data() + scene_.pairModels.size() + w;
-      wall[w].layout = layoutView(wallLayout(spec));
-      wall[w].flag = wallFlag(spec);
-    }
-    wall[w].historySize = wallSize_[w];
-    wall[w].history = wallSize_[w] ? wallHistory_[w].data() : nullptr;
-  }
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
+    if (!isRegion(w)) wall[wallPlace_[w]] = wallView(w, step);
 }
 
 /// Give the grains the roles of the scene; a position keeps its lower bits if there is still room for them.
@@ -156,7 +168,8 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
     o.role = roles_.of(t.groupMask);
     o.value = toVec3(moving ? in.termValue[k] : t.value).as<Real>();
     o.prescribed = componentBits(t.prescribed);
-    o.wall = t.wall;
+    if (t.kind == ForceTermKind::Wall) o.wall = wallPlace_[t.wall];
+    if (t.kind == ForceTermKind::RegionWall) o.load = regionLoad_[t.wall].data();
     o.dragPerType = drag_[k].data();
     o.before = nullptr;
   }
@@ -185,8 +198,10 @@ template <class Exec, class P>
 template <class Law, StepMode mode>
 void EngineImpl<Exec, P>::launchLaw(const StepView<P> &v)
 {
-  const auto hasModel = [](const WallSpec &wall) { return wall.model.has_value(); };
-  if (scene_.walls.empty()) return launchLawAndWalls<Law, mode, WallUse::None>(v);
+  const auto isPlain = [](const WallSpec &wall) { return wall.shape != WallShape::Region; };
+  const auto hasModel = [](const WallSpec &wall) { return wall.shape != WallShape::Region && wall.model; };
+  if (std::none_of(scene_.walls.begin(), scene_.walls.end(), isPlain))
+    return launchLawAndWalls<Law, mode, WallUse::None>(v);
   // a product's kernel is large anyway: it holds all wall code
   if (Law::moments || std::any_of(scene_.walls.begin(), scene_.walls.end(), hasModel))
     return launchLawAndWalls<Law, mode, WallUse::Any>(v);
@@ -221,8 +236,10 @@ void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
 }
 
 template <class Exec, class P>
-void EngineImpl<Exec, P>::launchContacts(const StepView<P> &v, StepMode mode)
+void EngineImpl<Exec, P>::launchContacts(const StepView<P> &v, const StepInputs &in, StepMode mode)
 {
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
+    if (isRegion(w)) exec_.forEach(count_, regionStep(v, w, in));
   if (mode == StepMode::Fused) launchContactsIn<StepMode::Fused>(v);
   else launchContactsIn<StepMode::Event>(v);
 }
@@ -254,13 +271,13 @@ void EngineImpl<Exec, P>::runEvent(const StepInputs &in, const Recording &record
     if (!scene_.walls[w].recordContacts) continue;
     wallContacts_[w].reserve(8 * static_cast<std::size_t>(count_));
     exec_.fill(wallContacts_[w].data(), 8 * static_cast<std::size_t>(count_), 0);
-    v.wall[w].contacts = wallContacts_[w].data();
+    if (!isRegion(w)) v.wall[wallPlace_[w]].contacts = wallContacts_[w].data();
   }
-  launchContacts(v, StepMode::Event);
+  launchContacts(v, in, StepMode::Event);
   motNow_ = 1 - motNow_;
   Status s;
   exec_.copyOut(&s, status_.data(), 1);
-  if (s.badParticle != noParticle) throwBroken(s.badParticle, in.step);
+  checkStatus(s, in.step);
   forceValid_ = true;
   collectObservables(record);
 }
@@ -279,6 +296,13 @@ void EngineImpl<Exec, P>::collectObservables(const Recording &record)
     const Sums<3> s = exec_.reduce(count_, ForceTerms<Real>{termBefore_[k].data()}, AddSums{}, Sums<3>{});
     for (int d = 0; d < 3; ++d) observables_.termForce[k][d] = s.value[d];
   }
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::checkStatus(const Status &status, std::int64_t step)
+{
+  if (status.badParticle != noParticle) throwBroken(status.badParticle, step);
+  if (status.crowded != noParticle) throwCrowded(status.crowded, step);
 }
 
 template <class Exec, class P>
@@ -341,7 +365,7 @@ void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
   v.motionIn = motion_[motNow_ ^ from].data();
   v.motionOut = motion_[motNow_ ^ from ^ 1].data();
   v.sequence = static_cast<std::uint32_t>(++queued_);
-  launchContacts(v, StepMode::Fused);
+  launchContacts(v, in, StepMode::Fused);
   queuedSteps_.push_back(in.step);
 }
 
@@ -358,7 +382,7 @@ Progress EngineImpl<Exec, P>::flush()
   const std::int64_t reached = queuedSteps_.empty() ? 0 : queuedSteps_[p.executed];
   queued_ = 0;
   queuedSteps_.assign(1, reached);
-  if (s.badParticle != noParticle) throwBroken(s.badParticle, reached);
+  checkStatus(s, reached);
   if (p.needsRebuild) {
     rowsValid_ = false;
     resetStatus();

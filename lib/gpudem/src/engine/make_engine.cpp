@@ -42,7 +42,7 @@ bool keepsContacts(const SceneSpec &scene)
 
 int wallHistorySize(const WallSpec &wall)
 {
-  return wallFlag(wall) + wallLayout(wall).size;
+  return wallKeeps(wall);
 }
 
 int coordinateBits(const SceneSpec &scene, Precision precision)

@@ -23,7 +23,7 @@ GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPositio
 {
   using Real = typename P::Real;
   const std::uint32_t anchor = s.anchor[i];
-  applyForceTerms<walls>(s, i, p, (anchor & nearWallBit) != 0, m, force, torque);
+  applyForceTerms<walls>(s, i, p, anchor, m, force, torque);
   if (mode == StepMode::Fused) {
     kickGrain(s, i, p.radius, force, torque, Real(2), m);
     const bool moved = driftGrain(s, i, p, m);

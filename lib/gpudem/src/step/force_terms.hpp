@@ -8,10 +8,10 @@
 
 namespace gpudem {
 
-/// \param walls    what of the wall code the kernel holds
-/// \param nearWall the grain was within reach of a wall when the rows were built
+/// \param walls  what of the wall code the kernel holds
+/// \param anchor its bits say whether the grain was within reach of a wall when the rows were built
 template <WallUse walls, class P>
-GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const FixedPosition &p, bool nearWall,
+GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const FixedPosition &p, std::uint32_t anchor,
                                Motion<typename P::Real> &m, Vec3<typename P::Real> &force,
                                Vec3<typename P::Real> &torque)
 {
@@ -45,12 +45,18 @@ GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const Fixe
         m.vz = m.wx = m.wy = Real(0);
         break;
       case ForceTermKind::Wall:
-        if (walls != WallUse::None && nearWall) {
+        if (walls != WallUse::None && (anchor & nearWallBit)) {
           const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame);
           const ContactForce<Real> c =
               wallForce<walls>(s.wall[term.wall], i, s.count, x, p.radius, m, s.dt, s.advanceSprings);
           force += c.force;
           torque += c.moment - c.couple * (static_cast<Real>(p.radius) - c.shorter);
+        }
+        break;
+      case ForceTermKind::RegionWall:
+        if (anchor & nearRegionBit) {
+          force += term.load[i];
+          torque += term.load[s.count + i];
         }
         break;
     }

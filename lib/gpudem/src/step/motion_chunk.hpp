@@ -40,7 +40,7 @@ class MotionChunk {
     const FixedPosition p = loadPosition(s.in, i, m.word);
     const std::uint32_t anchor = s.anchor[i];
     Vec3<Real> force{load[0], load[1], load[2]}, torque{load[3], load[4], load[5]};
-    applyForceTerms<walls>(s, i, p, (anchor & nearWallBit) != 0, m, force, torque);
+    applyForceTerms<walls>(s, i, p, anchor, m, force, torque);
     x_[g] = p.x;
     y_[g] = p.y;
     z_[g] = p.z;

@@ -14,7 +14,7 @@ namespace gpudem {
 /// eight roles leave room for eight more bits of each coordinate; with more the coordinates have 32 bits only.
 struct Roles {
   int count = 0;
-  std::uint32_t group[1 + maxWalls + maxTerms + maxIntegrators] = {};
+  std::uint32_t group[1 + 2 * maxTerms + maxIntegrators] = {};
 
   /// Bit of the role, 0 for a mask without groups.
   std::uint32_t of(std::uint32_t groupMask) const

@@ -15,6 +15,7 @@ namespace gpudem {
 struct Status {
   std::uint32_t lastAllowed;  ///< launches with a larger sequence number do nothing
   std::uint32_t badParticle;  ///< smallest device index with a broken state, noParticle if none
+  std::uint32_t crowded;  ///< smallest device index with more contacts to a region than the wall keeps, or noParticle
 };
 constexpr std::uint32_t noParticle = 0xffffffffu;
 constexpr std::uint32_t noLimit = 0xffffffffu;
@@ -40,6 +41,7 @@ struct AnchorRule {
   float lost2;                 ///< squared displacement of one step beyond which the state is broken
 };
 constexpr std::uint32_t nearWallBit = 1u << 30;
+constexpr std::uint32_t nearRegionBit = 1u << 31;
 
 /// Which wall code a kernel holds.
 enum class WallUse {
@@ -74,9 +76,10 @@ struct TermView {
   std::uint32_t role;  ///< bits of Motion::word
   Vec3<Real> value;
   int prescribed;  ///< bits 0..2: components set
-  int wall;
+  int wall;        ///< index into StepView::wall
   const Real *dragPerType;
-  Vec3<Real> *before;  ///< [n] force before the term, null unless recorded
+  const Vec3<Real> *load;  ///< RegionWall: [n] forces, [n] torques, valid where nearRegionBit is set
+  Vec3<Real> *before;      ///< [n] force before the term, null unless recorded
 };
 
 /// One integrator at the step being finished and the one being begun.
@@ -112,7 +115,7 @@ struct StepView {
   Motion<Real> *motionOut;
 
   RowView<Real> rows;           ///< on the GPU; the CPU has chunks of pairs
-  const std::uint32_t *anchor;  ///< [n] quantised position at the last rebuild and the near-wall bit
+  const std::uint32_t *anchor;  ///< [n] quantised position at the last rebuild and the near-wall bits
   AnchorRule anchorRule;
   Frame frame;
   Vec3<float> twiceFineUnit;  ///< 2 window/2^40, 0 if coordinates have no lower bits (mixed)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file Planes and the z cylinder of LAMMPS' fix wall/gran, as one contact per grain.
+/// \file Planes and the z cylinder of LAMMPS' fix wall/gran, as one contact per grain. Laws at walls.
 #pragma once
 
 #include "contact/product.hpp"
@@ -84,6 +84,22 @@ GPUDEM_HD ContactForce<Real> modelWallForce(const WallView<Real> &wall, const Co
   return f;
 }
 
+/// The eight columns of LAMMPS' "contacts" output.
+template <class Real>
+GPUDEM_HD void recordContact(const WallView<Real> &wall, std::uint32_t i, std::uint32_t count, const Vec3<Real> &force,
+                             const Vec3<double> &at, double radius)
+{
+  const Real column[8] = {Real(1),
+                          force.x,
+                          force.y,
+                          force.z,
+                          static_cast<Real>(at.x),
+                          static_cast<Real>(at.y),
+                          static_cast<Real>(at.z),
+                          static_cast<Real>(radius)};
+  for (int k = 0; k < 8; ++k) wall.contacts[static_cast<std::size_t>(k) * count + i] = column[k];
+}
+
 /// Force of one wall on grain \p i; springs and recorded contacts are updated in place.
 template <WallUse use, class Real>
 GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t i, std::uint32_t count,
@@ -119,18 +135,7 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   c.atWall = true;
   result = use == WallUse::Any && wall.model ? modelWallForce(wall, c, kept, dt, advance)
                                              : classicWallForce(wall, c, kept, dt, advance);
-  if (wall.contacts) {
-    const Vec3<double> at = x - gap.branch;
-    const Real column[8] = {Real(1),
-                            result.force.x,
-                            result.force.y,
-                            result.force.z,
-                            static_cast<Real>(at.x),
-                            static_cast<Real>(at.y),
-                            static_cast<Real>(at.z),
-                            static_cast<Real>(radius)};
-    for (int k = 0; k < 8; ++k) wall.contacts[static_cast<std::size_t>(k) * count + i] = column[k];
-  }
+  if (wall.contacts) recordContact(wall, i, count, result.force, x - gap.branch, radius);
   return result;
 }
 

@@ -29,8 +29,9 @@ pair wall hard restitution 0.4 friction 0.1
 ROLLING = PAIRS.replace("friction 0.3", "friction 0.3 rolling 0.1").replace("friction 0.4", "friction 0.4 twisting 0.02")
 ADHESIVE = PAIRS.replace("friction 0.3", "friction 0.3 surface_energy 30")
 COEFF = ("* * m.gran soft hard",)
-WALLS = "".join(f"fix {n}{t} type{t} wall/gran granular {law} zplane {at}\n" for n, at in (("low", "0.05 NULL"),)
-                for t, law in (("1", "{soft}"), ("2", "{hard}")))
+WALLS = "".join(f"fix low{t} type{t} {{style}} granular {law} {{surface}}\n" for t, law in (("1", "{soft}"), ("2", "{hard}")))
+PLANE = dict(style="wall/gran", surface="zplane 0.05 NULL")
+REGION = dict(style="wall/gran/region", surface="region floor")
 
 
 def words_of_log(text):
@@ -47,22 +48,22 @@ def words_of_log(text):
 
 
 class Numbers(StylesTest):
-    def both(self, content, walls=False, precisions=("double", "mixed"), environment=None):
+    def both(self, content, walls=None, precisions=("double", "mixed"), environment=None):
         """Runs from a file and from the numbers that its log names; the dumps must be the same to the last bit."""
         fixes = "fix move all nve/sphere\n"
         laws = dict(soft="m.gran soft wall", hard="m.gran hard wall")
         settings = dict(pair="granular", steps=200, boundary="p p f" if walls else "p p p",
-                        before="group type1 type 1\ngroup type2 type 2\n" if walls else "")
+                        before="group type1 type 1\ngroup type2 type 2\nregion floor plane 0 0 0.05 0 0 1\n" if walls else "")
         cloud = ("cloud.data", scenes.cloud(cells=(5, 5, 5), margin=(0, 0, 0.3 if walls else 0)))
         for precision in precisions:
-            by_file = self.run_lammps(scenes.scene(fixes + (WALLS.format(**laws) if walls else ""), coeff=COEFF, **settings),
+            by_file = self.run_lammps(scenes.scene(fixes + (WALLS.format(**laws, **walls) if walls else ""), coeff=COEFF, **settings),
                                       [cloud, ("m.gran", content)], gpudem=precision)
             self.assertResident(by_file)
             self.assertIn("Reading material file m.gran with DATE: 2026-11-23", by_file.log)
             words = words_of_log(by_file.log)
             coeff = tuple(f"{i} {j} {words[(i, j)]}" for i, j in (("1", "1"), ("1", "2"), ("2", "2")))
             numbers = {name: words.get((name, "wall"), "") for name in laws}
-            by_number = self.run_lammps(scenes.scene(fixes + (WALLS.format(**numbers) if walls else ""), coeff=coeff,
+            by_number = self.run_lammps(scenes.scene(fixes + (WALLS.format(**numbers, **walls) if walls else ""), coeff=coeff,
                                                      **settings), [cloud], gpudem=precision)
             self.assertEqual(by_file.path("dump.out").read_bytes(), by_number.path("dump.out").read_bytes(), precision)
         return words
@@ -111,11 +112,12 @@ class Numbers(StylesTest):
         self.assertNotIn("sds", "".join(words.values()))
 
     def test_walls(self):
-        words = self.both(MATERIALS + PAIRS, walls=True)
-        self.assertEqual(words[("soft", "wall")].split()[2], "0.5")
-        self.assertEqual(words[("hard", "wall")].split()[2], "0.4")
+        for walls in (PLANE, REGION):
+            words = self.both(MATERIALS + PAIRS, walls)
+            self.assertEqual(words[("soft", "wall")].split()[2], "0.5")
+            self.assertEqual(words[("hard", "wall")].split()[2], "0.4")
         rolling = self.both(MATERIALS + ROLLING.replace("friction 0.2", "friction 0.2 rolling 0.05") +
-                            "law radius 0.45 speed 3.0\n", walls=True, precisions=("double",))
+                            "law radius 0.45 speed 3.0\n", walls=PLANE, precisions=("double",))
         self.assertIn("rolling sds", rolling[("soft", "wall")])
 
     def test_unset_types(self):

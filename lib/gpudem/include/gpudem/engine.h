@@ -107,6 +107,7 @@ struct NeighborReport {
   double entriesPerGrain = 0;
   int longestRow = 0;
   std::int64_t cells = 0;
+  int levels = 1;  ///< of grains by size
 };
 
 /// The resident state and its advance. One instance per simulation; not thread-safe.

@@ -139,6 +139,8 @@ struct SceneSpec {
   double halfKick = 0;       ///< dt/2 times the conversion of force/mass to acceleration
   double skin = 0;           ///< neighbour skin (distance)
   double largestRadius = 0;  ///< of all grains present and to come (distance)
+  int levels = 0;            ///< of grains by size, 0: as many as the sizes need
+  double levelRatio = 2.0;   ///< of the largest radii of successive levels, where levels is 0
   int types = 1;
 };
 

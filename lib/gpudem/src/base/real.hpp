@@ -201,11 +201,29 @@ GPUDEM_HD int bitCount(std::uint32_t bits)
   return __builtin_popcount(bits);
 #endif
 }
+GPUDEM_HD int bitCount64(std::uint64_t bits)
+{
+#ifdef __CUDA_ARCH__
+  return __popcll(bits);
+#else
+  return __builtin_popcountll(bits);
+#endif
+}
 
 /// Number of pieces of \p size that hold \p count.
 GPUDEM_HD std::uint32_t chunksOf(std::uint32_t count, std::uint32_t size)
 {
   return (count + size - 1) / size;
+}
+
+/// Put \p value where \p expected stands. \return false if something else stands there
+GPUDEM_HD bool atomicClaim(std::uint32_t *address, std::uint32_t expected, std::uint32_t value)
+{
+#ifdef __CUDA_ARCH__
+  return atomicCAS(address, expected, value) == expected;
+#else
+  return __atomic_compare_exchange_n(address, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+#endif
 }
 
 /// Smallest value wins: deterministic whatever the order of the threads.

@@ -19,6 +19,7 @@ struct Case {
   TangentialModel tangential;
   std::array<bool, 3> periodic;
   int dimension;
+  int levels = 0;  ///< of the neighbour search
 };
 
 const Case cases[] = {
@@ -28,6 +29,8 @@ const Case cases[] = {
     {"hooke frictionless, closed box", NormalModel::Hooke, TangentialModel::None, {false, false, false}, 3},
     {"hooke springs, closed box", NormalModel::Hooke, TangentialModel::Spring, {false, false, false}, 3},
     {"hooke springs, two dimensions", NormalModel::Hooke, TangentialModel::Spring, {true, false, true}, 2},
+    {"hooke springs, three levels", NormalModel::Hooke, TangentialModel::Spring, {true, true, false}, 3, 3},
+    {"hertz springs, four levels, two dimensions", NormalModel::Hertz, TangentialModel::Spring, {false, true, true}, 2, 4},
 };
 
 SceneSpec makeScene(const Case &c, const Box &box, double largest)
@@ -38,6 +41,7 @@ SceneSpec makeScene(const Case &c, const Box &box, double largest)
   s.halfKick = 0.5 * s.timestep;
   s.skin = 0.2;
   s.largestRadius = largest;
+  s.levels = c.levels;
   s.types = 2;
   for (int d = 0; d < 3; ++d) {
     if (box.periodic[d] || (d == 2 && box.dimension == 2)) continue;
@@ -103,6 +107,7 @@ TEST_P(EngineTest, FollowsTheOracleThroughRebuilds)
     }
     EXPECT_GT(contactSteps, 200u) << "the case must have contacts to mean anything";
     EXPECT_GT(engine->neighbors().rebuilds, 1) << "the case must rebuild to mean anything";
+    EXPECT_GE(engine->neighbors().levels, c.levels ? 3 : 1);
   }
 }
 

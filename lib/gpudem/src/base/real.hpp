@@ -238,4 +238,32 @@ GPUDEM_HD void atomicLower(std::uint32_t *address, std::uint32_t value)
 #endif
 }
 
+/// Largest value wins.
+GPUDEM_HD void atomicRaise(std::uint32_t *address, std::uint32_t value)
+{
+#ifdef __CUDA_ARCH__
+  atomicMax(address, value);
+#else
+  std::uint32_t old = __atomic_load_n(address, __ATOMIC_RELAXED);
+  while (value > old && !__atomic_compare_exchange_n(address, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+  }
+#endif
+}
+
+/// The float of a pattern.
+inline float floatOf(std::uint32_t bits)
+{
+  float x;
+  memcpy(&x, &bits, 4);
+  return x;
+}
+
+/// Pattern of a float; patterns of numbers that are not negative sort like the numbers.
+GPUDEM_HD std::uint32_t bitsOf(float x)
+{
+  std::uint32_t bits;
+  memcpy(&bits, &x, 4);
+  return bits;
+}
+
 }  // namespace gpudem

@@ -9,11 +9,16 @@
 #include "engine/transfer.hpp"
 #include "gpudem/engine.h"
 #include "neighbor/cross_levels.hpp"
+#include "neighbor/common_drift.hpp"
+#include "neighbor/inner_list.hpp"
 #include "neighbor/level_choice.hpp"
 #include "neighbor/place.hpp"
 #include "neighbor/pair_table.hpp"
 #include "neighbor/row_table.hpp"
 #include "step/contact_chunk.hpp"
+#ifdef __CUDACC__
+#include "step/contact_warp.cuh"
+#endif
 #include "step/kernel_products.hpp"
 #include "step/observables.hpp"
 #include "step/region_step.hpp"
@@ -136,6 +141,8 @@ class EngineImpl final : public Engine {
 
   int posNow_ = 0, motNow_ = 0;  ///< which of the two buffers holds the current state
   int queued_ = 0;
+  InnerList inner_;  ///< GPU only
+  CommonDrift drift_;
   std::vector<std::int64_t> queuedSteps_;
   bool rowsValid_ = false, forceValid_ = false, storeFresh_ = false;
   NeighborReport report_;

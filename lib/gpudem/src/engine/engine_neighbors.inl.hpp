@@ -70,6 +70,7 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
   if (!fits) reframe(chooseFrame(box, fresh));
   explainMemory([&] { rebuildIn(fresh); });
   storeFresh_ = false;
+  inner_.setSkin(scene_.skin, reachSlackOf(frame_));
   rowsValid_ = true;
   resetStatus();
 }
@@ -127,6 +128,10 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
   }
   if (origin_.capacity()) permute(origin_, originScratch_);
 
+  const float huge = std::numeric_limits<float>::max();
+  drift_.start(exec_.reduce(count_, GrainVelocity<Real>{motion_[motNow_].data()}, JoinRanges{},
+                            VelocityRange{{huge, huge, huge}, {-huge, -huge, -huge}}),
+               scene_.timestep, scene_.skin);
   buildTable();
   setAnchors();
 }
@@ -174,7 +179,7 @@ void EngineImpl<Exec, P>::setAnchors()
   s.grid = grid_;
   s.frame = frame_;
   s.rule = anchorRule_;
-  s.skin = scene_.skin;
+  s.room = 0.5 * scene_.skin + drift_.room();
   attachWalls(s.wall, 0);
   for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
     if (isRegion(w)) continue;

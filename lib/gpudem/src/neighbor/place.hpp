@@ -157,7 +157,7 @@ struct SetAnchors {
   CellGrid grid;
   Frame frame;
   AnchorRule rule;
-  double skin;
+  double room;  ///< how far a grain may move until the next rebuild (distance)
   int walls;
   WallView<Real> wall[maxWalls];
   double wallLoReach[maxWalls], wallHiReach[maxWalls];  ///< how far a wiggling plane moves up and down
@@ -174,7 +174,7 @@ struct SetAnchors {
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
       const std::uint32_t roles = motion[i].word;
       for (int w = 0; w < walls; ++w) {
-        if ((roles & wall[w].role) && within(w, x, p.radius + wallPull[w] + 0.5 * skin)) a |= nearWallBit;
+        if ((roles & wall[w].role) && within(w, x, p.radius + wallPull[w] + room)) a |= nearWallBit;
       }
       if (!(a & nearWallBit))
         for (int w = 0; w < walls; ++w)

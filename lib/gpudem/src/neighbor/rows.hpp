@@ -161,7 +161,7 @@ struct FillRows {
     std::uint32_t *word = history ? touch + maskStart[slice] + lane : nullptr;
     std::uint32_t from = 0, to = 0;
     if (history) {
-      const std::uint32_t words = (length[i] + 31) / 32;
+      const std::uint32_t words = (maskStart[slice + 1] - maskStart[slice]) / W;
       for (std::uint32_t w = 0; w < words; ++w) word[w * W] = 0;
       from = store.offset[oldIndex[i]];
       to = store.offset[oldIndex[i] + 1];

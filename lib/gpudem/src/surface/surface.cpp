@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The arrays of a surface, from its mesh.
+#include "gpudem/surface.h"
+
+#include "surface/mesh_edges.hpp"
+#include "surface/surface_cells.hpp"
+#include "surface/surface_tree.hpp"
+#include "surface/surface_view.hpp"
+
+#include <cmath>
+
+namespace gpudem {
+
+struct Surface::Arrays {
+  std::vector<Vec3<double>> vertex;
+  std::vector<SurfaceTriangle> triangle;
+  std::vector<std::uint32_t> spokeStart, spoke, fan;
+  std::vector<Vec3<float>> vertexNormal, edgeNormal;
+  SurfaceTree tree;
+  SurfaceCells cells;
+  double reach;
+  int side;
+
+  void connect(const SurfaceMesh &mesh);
+  void makeNormals(const SurfaceMesh &mesh);
+
+ private:
+  void connectEdge(const SurfaceMesh &mesh, const std::vector<std::uint32_t> &place, const EdgeUse *first,
+                   const EdgeUse *last);
+};
+
+namespace {
+
+std::uint32_t opposite(const SurfaceMesh &mesh, const EdgeUse &u)
+{
+  return mesh.triangle[u.triangle][(u.corner + 2) % 3];
+}
+
+Vec3<double> unit(const Vec3<double> &v)
+{
+  const double length = std::sqrt(dot(v, v));
+  return length > 0.0 ? v * (1.0 / length) : v;
+}
+
+/// Place of each triangle of the mesh in the order of the tree.
+std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t> &order)
+{
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
+  return place;
+}
+
+}  // namespace
+
+void Surface::Arrays::connectEdge(const SurfaceMesh &mesh, const std::vector<std::uint32_t> &place,
+                                  const EdgeUse *first, const EdgeUse *last)
+{
+  ++spokeStart[first->low + 1];
+  ++spokeStart[first->high + 1];
+  if (last - first > 2) {
+    const auto at = static_cast<std::uint32_t>(fan.size());
+    fan.push_back(static_cast<std::uint32_t>(last - first));
+    for (const EdgeUse *u = first; u != last; ++u) {
+      fan.push_back(opposite(mesh, *u));
+      triangle[place[u->triangle]].across[u->corner] = manyFaces | at;
+    }
+  } else if (last - first == 2) {
+    triangle[place[first[0].triangle]].across[first[0].corner] = opposite(mesh, first[1]);
+    triangle[place[first[1].triangle]].across[first[1].corner] = opposite(mesh, first[0]);
+  }
+}
+
+void Surface::Arrays::connect(const SurfaceMesh &mesh)
+{
+  const std::vector<std::uint32_t> place = inverse(tree.order);
+  vertex.reserve(mesh.vertex.size());
+  for (const auto &p : mesh.vertex) vertex.push_back({p[0], p[1], p[2]});
+  triangle.resize(mesh.triangle.size());
+  for (std::uint32_t k = 0; k < triangle.size(); ++k) {
+    const std::uint32_t t = tree.order[k];
+    const auto &c = mesh.triangle[t];
+    triangle[k] = {{c[0], c[1], c[2]}, {ownFace, ownFace, ownFace}, t, mesh.zone.empty() ? 0u : mesh.zone[t]};
+  }
+  spokeStart.assign(mesh.vertex.size() + 1, 0);
+  const std::vector<EdgeUse> uses = edgeUses(mesh);
+  forEachEdge(uses, [&](const EdgeUse *first, const EdgeUse *last) { connectEdge(mesh, place, first, last); });
+  for (std::size_t v = 0; v < mesh.vertex.size(); ++v) spokeStart[v + 1] += spokeStart[v];
+  spoke.resize(spokeStart.back());
+  std::vector<std::uint32_t> at(spokeStart.begin(), spokeStart.end() - 1);
+  forEachEdge(uses, [&](const EdgeUse *first, const EdgeUse *) {
+    spoke[at[first->low]++] = first->high;
+    spoke[at[first->high]++] = first->low;
+  });
+}
+
+/// Normals of faces, weighted at a vertex with the angle of the face there (Baerentzen and Aanaes, IEEE Trans. Vis.
+/// Comput. Graph. 11 (2005) 243): the sign of their product with the vector from the nearest point is that of the side.
+void Surface::Arrays::makeNormals(const SurfaceMesh &mesh)
+{
+  const std::vector<std::uint32_t> place = inverse(tree.order);
+  std::vector<Vec3<double>> normal(mesh.triangle.size()), sum(vertex.size(), Vec3<double>{0.0, 0.0, 0.0});
+  for (std::size_t t = 0; t < normal.size(); ++t) {
+    const auto &c = mesh.triangle[t];
+    normal[t] = unit(cross(vertex[c[1]] - vertex[c[0]], vertex[c[2]] - vertex[c[0]]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3<double> a = unit(vertex[c[(k + 1) % 3]] - vertex[c[k]]), b = unit(vertex[c[(k + 2) % 3]] - vertex[c[k]]);
+      const Vec3<double> turn = cross(a, b);
+      sum[c[k]] += normal[t] * std::atan2(std::sqrt(dot(turn, turn)), dot(a, b));
+    }
+  }
+  for (const auto &v : sum) vertexNormal.push_back(v.as<float>());
+  edgeNormal.resize(3 * normal.size());
+  forEachEdge(edgeUses(mesh), [&](const EdgeUse *first, const EdgeUse *last) {
+    Vec3<double> n{0.0, 0.0, 0.0};
+    for (const EdgeUse *u = first; u != last; ++u) n += normal[u->triangle];
+    for (const EdgeUse *u = first; u != last; ++u) edgeNormal[3 * place[u->triangle] + u->corner] = n.as<float>();
+  });
+}
+
+Surface::Surface(const SurfaceMesh &mesh, double reach, SurfaceSide side) : arrays_(new Arrays)
+{
+  if (mesh.triangle.empty()) throw Error("building a surface: the mesh has no triangle");
+  if (!(reach > 0.0) || !std::isfinite(reach))
+    throw Error("building a surface: the reach is " + std::to_string(reach) + ", must be above 0");
+  Arrays &a = *arrays_;
+  a.reach = reach;
+  a.side = side == SurfaceSide::Both ? 0 : side == SurfaceSide::Outside ? 1 : -1;
+  double largest = 0.0;
+  for (const auto &p : mesh.vertex) largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  // centres are rounded to float where they meet the boxes
+  a.tree = buildTree(mesh, 2.4e-7 * (largest + 2.0 * reach));
+  a.cells = buildCells(mesh, a.tree, reach);
+  a.connect(mesh);
+  if (a.side != 0) {
+    forEachEdge(edgeUses(mesh), [&](const EdgeUse *first, const EdgeUse *last) {
+      std::ptrdiff_t forward = 0;
+      for (const EdgeUse *u = first; u != last; ++u) forward += u->forward;
+      if (2 * forward == last - first) return;
+      const auto &p = mesh.vertex[first->low];
+      throw Error("building a surface with an inside: the mesh is not closed at (" + std::to_string(p[0]) + ", " +
+                  std::to_string(p[1]) + ", " + std::to_string(p[2]) + ")");
+    });
+    a.makeNormals(mesh);
+  }
+}
+
+Surface::~Surface() = default;
+Surface::Surface(Surface &&) noexcept = default;
+Surface &Surface::operator=(Surface &&) noexcept = default;
+
+SurfaceView Surface::view() const
+{
+  const Arrays &a = *arrays_;
+  SurfaceView v{};
+  v.vertex = a.vertex.data();
+  v.triangle = a.triangle.data();
+  v.node = a.tree.node.data();
+  v.spokeStart = a.spokeStart.data();
+  v.spoke = a.spoke.data();
+  v.fan = a.fan.data();
+  v.vertexNormal = a.vertexNormal.data();
+  v.edgeNormal = a.edgeNormal.data();
+  v.cellKey = a.cells.key.data();
+  v.cellEntry = a.cells.entry.data();
+  v.cellMask = static_cast<std::uint32_t>(a.cells.key.size() - 1);
+  v.triangles = static_cast<std::uint32_t>(a.triangle.size());
+  v.vertices = static_cast<std::uint32_t>(a.vertex.size());
+  v.nodes = static_cast<std::uint32_t>(a.tree.node.size());
+  v.origin = {a.cells.origin[0], a.cells.origin[1], a.cells.origin[2]};
+  v.inverseCell = 1.0 / a.cells.size;
+  v.reach = a.reach;
+  v.side = a.side;
+  return v;
+}
+
+std::size_t Surface::bytes() const
+{
+  const Arrays &a = *arrays_;
+  const auto size = [](const auto &array) { return array.size() * sizeof(array[0]); };
+  return size(a.vertex) + size(a.triangle) + size(a.spokeStart) + size(a.spoke) + size(a.fan) + size(a.vertexNormal) +
+         size(a.edgeNormal) + size(a.tree.node) + size(a.cells.key) + size(a.cells.entry);
+}
+
+}  // namespace gpudem

@@ -69,26 +69,36 @@ GPUDEM_HD double separateness(double q)
   return q <= 0.0 ? 0.0 : q >= 1.0 ? 1.0 : q * q * (3.0 - 2.0 * q);
 }
 
-/// Sets the weights of \p n contacts, deepest first, with different normals; those of weight 0 are dropped.
-/// \param reach radius of the sphere, above every distance \return number of contacts left
-GPUDEM_HD int weighContacts(SurfaceContact *contact, int n, double reach)
+/// max(0, min(1, L_ij/L_ji)) of a contact behind a deeper point of the surface.
+GPUDEM_HD double prominence(const ContactPair &p)
 {
-  if (n == 1) contact[0].weight = 1.0;
-  if (n < 2) return n;
-  double mass[maxSurfaceContacts], sum[maxSurfaceContacts], disc[maxSurfaceContacts];
+  if (p.opposed || p.lineFromShallow >= p.lineFromDeep) return 1.0;
+  return p.lineFromShallow <= 0.0 ? 0.0 : p.lineFromShallow / p.lineFromDeep;
+}
+
+/// Do any two of \p n contacts share a part of their discs, so that their weights are not 1?
+/// \param[out] disc radii a_i (distance)
+GPUDEM_HD bool findDiscs(const SurfaceContact *contact, int n, double reach, double *disc)
+{
+  bool overlap = false;
   for (int j = 0; j < n; ++j) {
     const double f = contact[j].distance;
     disc[j] = squareRoot((reach - f) * (reach + f));
-    mass[j] = reach - f;
     for (int i = 0; i < j; ++i) {
       const ContactPair p = seePair(contact[i], contact[j]);
-      if (p.opposed) continue;
-      mass[j] *= p.lineFromShallow <= 0.0               ? 0.0
-                 : p.lineFromShallow < p.lineFromDeep ? p.lineFromShallow / p.lineFromDeep
-                                                        : 1.0;
+      overlap = overlap || (!p.opposed && (p.lineFromDeep < disc[i] || p.lineFromShallow < disc[j]));
     }
-    sum[j] = mass[j];
   }
+  return overlap;
+}
+
+/// Sets the weights of \p n contacts, deepest first, with different normals; those of no weight are dropped.
+/// \param reach radius of the sphere, above every distance \param least [n] least prominence
+/// \return number of contacts left
+GPUDEM_HD int weighContacts(SurfaceContact *contact, int n, double reach, const double *disc, const double *least)
+{
+  double mass[maxSurfaceContacts], sum[maxSurfaceContacts];
+  for (int j = 0; j < n; ++j) sum[j] = mass[j] = (reach - contact[j].distance) * least[j];
   for (int j = 1; j < n; ++j)
     for (int i = 0; i < j; ++i) {
       const ContactPair p = seePair(contact[i], contact[j]);
@@ -98,9 +108,10 @@ GPUDEM_HD int weighContacts(SurfaceContact *contact, int n, double reach)
       sum[i] += same * mass[j];
       sum[j] += same * mass[i];
     }
+  constexpr double leastWeight = 1e-10;  // rounding of a contact that lies on another one's plane
   int left = 0;
   for (int i = 0; i < n; ++i) {
-    if (!(mass[i] > 0.0)) continue;
+    if (!(mass[i] > leastWeight * sum[i])) continue;
     contact[left] = contact[i];
     contact[left++].weight = mass[i] / sum[i];
   }

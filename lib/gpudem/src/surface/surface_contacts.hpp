@@ -103,6 +103,9 @@ GPUDEM_HD Vec3<double> pseudonormal(const SurfaceView &s, std::uint32_t k, Featu
       .as<double>();
 }
 
+/// Squared chord between directions that are the same up to rounding.
+constexpr double sameDirection2 = 1e-14;
+
 /// Minima found so far, deepest first.
 class MinimumList {
  public:
@@ -114,7 +117,6 @@ class MinimumList {
   /// A minimum in the direction of one in the list is the same point, or hidden: the nearer stays.
   GPUDEM_HD void add(const SurfaceContact &c)
   {
-    constexpr double sameDirection2 = 1e-14;
     for (int i = 0; i < out_.count; ++i) {
       const Vec3<double> chord = out_.contact[i].normal - c.normal;
       if (dot(chord, chord) > sameDirection2) continue;
@@ -194,6 +196,24 @@ GPUDEM_HD void chooseSides(const SurfaceView &s, SurfaceContacts &out)
   out.count = left;
 }
 
+/// How far each contact stands out from the tangent planes of the nearest points of all triangles that are nearer.
+GPUDEM_HD void leastProminence(const SurfaceView &s, const Vec3<double> &x, const SurfaceContacts &c, double *least)
+{
+  for (int j = 0; j < c.count; ++j) least[j] = 1.0;
+  visitNear(s, x, c.contact[c.count - 1].distance, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+    if (distance2 == 0.0) return;
+    SurfaceContact nearer;
+    nearer.triangle = k;
+    nearer.distance = squareRoot(distance2);
+    nearer.normal = p.branch * (1.0 / nearer.distance);
+    for (int j = c.count - 1; j > 0 && c.contact[j].distance > nearer.distance; --j) {
+      const Vec3<double> chord = c.contact[j].normal - nearer.normal;
+      const double prominent = dot(chord, chord) > sameDirection2 ? prominence(seePair(nearer, c.contact[j])) : 1.0;
+      if (prominent < least[j]) least[j] = prominent;
+    }
+  });
+}
+
 /// Contacts of a sphere of radius \p reach around \p x with the surface, with their weights.
 /// \pre reach <= s.reach
 GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, double reach, SurfaceContacts &out)
@@ -216,7 +236,10 @@ GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, doub
     list.add(c);
   });
   if (s.side != 0) chooseSides(s, out);
-  out.count = weighContacts(out.contact, out.count, reach);
+  double disc[maxSurfaceContacts], least[maxSurfaceContacts];
+  if (out.count < 2 || !findDiscs(out.contact, out.count, reach, disc)) return;
+  leastProminence(s, x, out, least);
+  out.count = weighContacts(out.contact, out.count, reach, disc, least);
 }
 
 }  // namespace gpudem

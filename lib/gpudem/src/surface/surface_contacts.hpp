@@ -197,9 +197,10 @@ GPUDEM_HD void chooseSides(const SurfaceView &s, SurfaceContacts &out)
 }
 
 /// How far each contact stands out from the tangent planes of the nearest points of all triangles that are nearer.
-GPUDEM_HD void leastProminence(const SurfaceView &s, const Vec3<double> &x, const SurfaceContacts &c, double *least)
+GPUDEM_HD void findProminence(const SurfaceView &s, const Vec3<double> &x, double reach, const SurfaceContacts &c,
+                              Prominence *prominence)
 {
-  for (int j = 0; j < c.count; ++j) least[j] = 1.0;
+  for (int j = 0; j < c.count; ++j) prominence[j] = {1.0, 0.0};
   visitNear(s, x, c.contact[c.count - 1].distance, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
     if (distance2 == 0.0) return;
     SurfaceContact nearer;
@@ -208,8 +209,7 @@ GPUDEM_HD void leastProminence(const SurfaceView &s, const Vec3<double> &x, cons
     nearer.normal = p.branch * (1.0 / nearer.distance);
     for (int j = c.count - 1; j > 0 && c.contact[j].distance > nearer.distance; --j) {
       const Vec3<double> chord = c.contact[j].normal - nearer.normal;
-      const double prominent = dot(chord, chord) > sameDirection2 ? prominence(seePair(nearer, c.contact[j])) : 1.0;
-      if (prominent < least[j]) least[j] = prominent;
+      if (dot(chord, chord) > sameDirection2) compareWith(nearer, c.contact[j], reach, prominence[j]);
     }
   });
 }
@@ -236,10 +236,10 @@ GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, doub
     list.add(c);
   });
   if (s.side != 0) chooseSides(s, out);
-  double disc[maxSurfaceContacts], least[maxSurfaceContacts];
-  if (out.count < 2 || !findDiscs(out.contact, out.count, reach, disc)) return;
-  leastProminence(s, x, out, least);
-  out.count = weighContacts(out.contact, out.count, reach, disc, least);
+  if (out.count < 2) return;
+  Prominence prominence[maxSurfaceContacts];
+  findProminence(s, x, reach, out, prominence);
+  out.count = weighContacts(out.contact, out.count, reach, prominence);
 }
 
 }  // namespace gpudem

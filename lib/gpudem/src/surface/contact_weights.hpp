@@ -45,7 +45,7 @@
 
 namespace gpudem {
 
-constexpr int maxSurfaceContacts = 12;
+constexpr int maxSurfaceContacts = 24;  ///< before those of no weight are dropped; few are left
 
 struct SurfaceContact {
   Vec3<double> normal;     ///< unit vector towards where the grain belongs

@@ -61,11 +61,27 @@ struct PartMotion {
   double angularVelocity = 0;  ///< of the angle (radian/time)
 };
 
+/// Where a rigid body is and how it moves: a point X of the body is at rotation X + displacement.
+struct BodyMotion {
+  std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< row by row
+  Array3 displacement{};                                      ///< place of the body's origin (distance)
+  Array3 velocity{};                                          ///< of the body's origin (distance/time)
+  Array3 angularVelocity{};                                   ///< (radian/time)
+};
+
+/// What the grains do to a wall, sums over the contacts of the last event.
+struct WallSums {
+  Array3 force{};             ///< on the wall
+  Array3 torque{};            ///< on the wall, about the body's origin at its place
+  std::int64_t contacts = 0;  ///< that push or pull
+};
+
 /// Values of the current step that a scene with moving parts changes.
 struct StepInputs {
   std::int64_t step = 0;                            ///< the step whose force is evaluated
   std::vector<Array3> termValue;                    ///< replaces ForceTerm::value where not empty
   std::vector<std::vector<PartMotion>> wallMotion;  ///< [walls][parts] of region walls; what is empty is at rest
+  std::vector<BodyMotion> bodyMotion;               ///< [walls] of surfaces; empty: all at rest
 };
 
 /// What an evaluation of the force at an event shall leave behind.
@@ -76,6 +92,7 @@ struct Recording {
 struct Observables {
   std::array<double, 6> virial{};  ///< xx yy zz xy xz yz, sum of branch x force over contacts (energy)
   std::vector<Array3> termForce;   ///< per force term: total force before the term acted
+  std::vector<WallSums> wall;      ///< [walls] of surfaces
 };
 
 /// Sums over the grains of a group; exact fixed order, so reproducible.

@@ -85,8 +85,7 @@ enum class SurfaceSide {
   Inside    ///< closed containers: the same with the sides exchanged
 };
 
-/// The arrays that contact queries read, made once for a mesh. The view points into them; to move them to a device,
-/// copy the arrays and point a view there.
+/// The arrays that contact queries read, made once for a mesh, in one piece of memory.
 class Surface {
  public:
   /// \param mesh after cleanSurface()
@@ -98,11 +97,16 @@ class Surface {
   Surface &operator=(Surface &&) noexcept;
 
   SurfaceView view() const;
-  std::size_t bytes() const;  ///< of all arrays
+  /// The view into a copy of data(), on a device for example, aligned to 16 bytes.
+  SurfaceView viewAt(const void *copy) const;
+  const void *data() const;
+  std::size_t bytes() const;
+  double reach() const;  ///< (distance)
 
  private:
   struct Arrays;
-  std::unique_ptr<Arrays> arrays_;
+  struct Packed;
+  std::unique_ptr<Packed> packed_;
 };
 
 }  // namespace gpudem

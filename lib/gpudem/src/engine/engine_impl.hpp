@@ -24,6 +24,7 @@
 #include "step/region_step.hpp"
 #include "step/region_views.hpp"
 #include "step/scene_views.hpp"
+#include "step/surface_step.hpp"
 
 #include <fmt/format.h>
 
@@ -76,6 +77,18 @@ class EngineImpl final : public Engine {
   template <class T>
   using Array = typename Exec::template Array<T>;
 
+  /// A wall of triangles, and what is known of its place. Empty for other walls.
+  struct SurfaceWall {
+    std::shared_ptr<const SurfaceMesh> mesh;
+    std::shared_ptr<const Surface> surface;
+    SurfaceSide side{};
+    Array<unsigned char> copy{"surface of a wall"};  ///< on a GPU
+    SurfaceView view{};
+    Vec3<double> lo{}, hi{};  ///< box of the mesh in the frame of the body (distance)
+    bool marked = false;      ///< the grains near it are known
+    BodyPose markedAt{};      ///< and were found here
+  };
+
   /// Positions \p pos, whose lower bits in mixed precision belong to the motion \p mot.
   PositionArrays<P> positions(int pos, int mot)
   {
@@ -102,12 +115,24 @@ class EngineImpl final : public Engine {
   WallView<Real> wallView(std::size_t w, std::int64_t step);
   void attachWalls(WallView<Real> *wall, std::int64_t step);
   bool isRegion(std::size_t w) const { return scene_.walls[w].shape == WallShape::Region; }
+  bool isSurface(std::size_t w) const { return scene_.walls[w].shape == WallShape::Surface; }
+  /// Walls with a launch of their own.
+  static bool isApart(const WallSpec &wall)
+  {
+    return wall.shape == WallShape::Region || wall.shape == WallShape::Surface;
+  }
+  void setSurfaces();
+  SurfaceAt surfaceAt(std::size_t w, const StepInputs &in);
+  SurfaceStep<P> surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
+  void markNearSurfaces(const StepView<P> &v, const StepInputs &in);
+  void sumSurfaces(const StepView<P> &v, const StepInputs &in);
   RegionStep<P> regionStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
   void markNearRegions();
   void requireRows(const char *what) const;
   void checkStatus(const Status &status, std::int64_t step);
   void throwBroken(std::uint32_t particle, std::int64_t step);
   void throwCrowded(std::uint32_t particle, std::int64_t step);
+  void throwCrossed(std::uint32_t particle, std::int64_t step);
   void collectObservables(const Recording &record);
 
   void extractSprings();
@@ -172,7 +197,8 @@ class EngineImpl final : public Engine {
   std::vector<int> wallPlace_;                             ///< of planes and cylinders in a launch, -1 for regions
   std::vector<std::uint8_t> wallSweeps_;                   ///< a region that changes its place
   std::vector<Array<RegionShape>> regionShapes_;           ///< per wall, empty for planes and cylinders
-  std::vector<Array<Vec3<Real>>> regionLoad_;              ///< [n] forces, [n] torques of a region wall
+  std::vector<SurfaceWall> surfaces_;                      ///< per wall
+  std::vector<Array<Vec3<Real>>> regionLoad_;              ///< [n] forces, [n] torques of a region or surface
   std::vector<Array<Vec3<Real>>> termBefore_;
   std::vector<Array<Real>> wallHistory_, wallContacts_, drag_;
   Array<Real> blockScratch_{"scratch (4)"};
@@ -184,4 +210,5 @@ class EngineImpl final : public Engine {
 #include "engine/engine_neighbors.inl.hpp"
 #include "engine/engine_regions.inl.hpp"
 #include "engine/engine_steps.inl.hpp"
+#include "engine/engine_surfaces.inl.hpp"
 #include "engine/engine_transfer.inl.hpp"

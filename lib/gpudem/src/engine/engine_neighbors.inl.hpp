@@ -182,7 +182,7 @@ void EngineImpl<Exec, P>::setAnchors()
   s.room = 0.5 * scene_.skin + drift_.room();
   attachWalls(s.wall, 0);
   for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
-    if (isRegion(w)) continue;
+    if (isApart(scene_.walls[w])) continue;
     const WallSpec &spec = scene_.walls[w];
     const int k = s.walls++;
     s.wall[k].lo = spec.lo;
@@ -195,6 +195,7 @@ void EngineImpl<Exec, P>::setAnchors()
   s.anchor = anchor_.data();
   exec_.forEach(count_, s);
   markNearRegions();
+  for (SurfaceWall &s : surfaces_) s.marked = false;
 }
 
 }  // namespace gpudem

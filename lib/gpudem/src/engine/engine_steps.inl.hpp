@@ -10,7 +10,7 @@ namespace gpudem {
 template <class Exec, class P>
 void EngineImpl<Exec, P>::resetStatus()
 {
-  const Status fresh{noLimit, noLimit, noParticle, 0u, noParticle};
+  const Status fresh{noLimit, noLimit, noParticle, 0u, noParticle, noParticle};
   exec_.copyIn(status_.data(), &fresh, 1);
 }
 
@@ -18,8 +18,8 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
 {
   const auto plain = std::count_if(scene.walls.begin(), scene.walls.end(),
-                                   [](const WallSpec &wall) { return wall.shape != WallShape::Region; });
-  if (plain > maxWalls) throw Error(fmt::format("{} walls that are no regions, at most {}", plain, maxWalls));
+                                   [](const WallSpec &wall) { return !isApart(wall); });
+  if (plain > maxWalls) throw Error(fmt::format("{} planes and cylinders as walls, at most {}", plain, maxWalls));
   if (scene.walls.size() > maxTerms)
     throw Error(fmt::format("{} walls, but at most {} force terms", scene.walls.size(), maxTerms));
   if (scene.terms.size() > maxTerms)
@@ -42,6 +42,7 @@ void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
     wallSize_.push_back(wallHistorySize(wall));
   }
   setRegions();
+  setSurfaces();
   termBefore_.clear();
   drag_.clear();
   for (const ForceTerm &term : scene.terms) {
@@ -114,7 +115,7 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::attachWalls(WallView<Real> *wall, std::int64_t step)
 {
   for (std::size_t w = 0; w < scene_.walls.size(); ++w)
-    if (!isRegion(w)) wall[wallPlace_[w]] = wallView(w, step);
+    if (!isApart(scene_.walls[w])) wall[wallPlace_[w]] = wallView(w, step);
 }
 
 /// Give the grains the roles of the scene; a position keeps its lower bits if there is still room for them.
@@ -208,8 +209,8 @@ template <class Exec, class P>
 template <class Law, StepMode mode>
 void EngineImpl<Exec, P>::launchLaw(const StepView<P> &v)
 {
-  const auto isPlain = [](const WallSpec &wall) { return wall.shape != WallShape::Region; };
-  const auto hasModel = [](const WallSpec &wall) { return wall.shape != WallShape::Region && wall.model; };
+  const auto isPlain = [](const WallSpec &wall) { return !isApart(wall); };
+  const auto hasModel = [](const WallSpec &wall) { return !isApart(wall) && wall.model; };
   if (std::none_of(scene_.walls.begin(), scene_.walls.end(), isPlain))
     return launchLawAndWalls<Law, mode, WallUse::None>(v);
   // a product's kernel is large anyway: it holds all wall code
@@ -248,8 +249,11 @@ void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
 template <class Exec, class P>
 void EngineImpl<Exec, P>::launchContacts(const StepView<P> &v, const StepInputs &in, StepMode mode)
 {
-  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
+  markNearSurfaces(v, in);  // the bit that says near is the same for all walls of their own launch
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
     if (isRegion(w)) exec_.forEach(count_, regionStep(v, w, in));
+    if (isSurface(w)) exec_.forEach(count_, surfaceStep(v, w, in));
+  }
   if (mode == StepMode::Fused) launchContactsIn<StepMode::Fused>(v);
   else launchContactsIn<StepMode::Event>(v);
 }
@@ -281,7 +285,7 @@ void EngineImpl<Exec, P>::runEvent(const StepInputs &in, const Recording &record
     if (!scene_.walls[w].recordContacts) continue;
     wallContacts_[w].reserve(8 * static_cast<std::size_t>(count_));
     exec_.fill(wallContacts_[w].data(), 8 * static_cast<std::size_t>(count_), 0);
-    if (!isRegion(w)) v.wall[wallPlace_[w]].contacts = wallContacts_[w].data();
+    if (!isApart(scene_.walls[w])) v.wall[wallPlace_[w]].contacts = wallContacts_[w].data();
   }
   inner_.measured();
   launchContacts(v, in, StepMode::Event);
@@ -291,6 +295,7 @@ void EngineImpl<Exec, P>::runEvent(const StepInputs &in, const Recording &record
   checkStatus(s, in.step);
   forceValid_ = true;
   collectObservables(record);
+  sumSurfaces(v, in);
 }
 
 template <class Exec, class P>
@@ -314,6 +319,7 @@ void EngineImpl<Exec, P>::checkStatus(const Status &status, std::int64_t step)
 {
   if (status.badParticle != noParticle) throwBroken(status.badParticle, step);
   if (status.crowded != noParticle) throwCrowded(status.crowded, step);
+  if (status.crossed != noParticle) throwCrossed(status.crossed, step);
 }
 
 template <class Exec, class P>
@@ -407,6 +413,7 @@ Progress EngineImpl<Exec, P>::flush()
   if (p.needsRebuild) rowsValid_ = false;
   if (stopped) {
     inner_.forget();
+    for (SurfaceWall &s : surfaces_) s.marked = false;
     resetStatus();
   }
   inner_.plan(floatOf(s.longestStep2));

@@ -26,6 +26,7 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   for (const auto *a : {&storeSpring_, &virial_}) add(*a);
   for (const auto &a : wallHistory_) add(a);
   for (const auto &a : regionLoad_) add(a);
+  for (const SurfaceWall &s : surfaces_) add(s.copy);
   add(models_);
   add(cells_);
   add(cross_);
@@ -50,7 +51,7 @@ std::size_t EngineImpl<Exec, P>::bytesPerGrain() const
     b += static_cast<std::size_t>(entries * static_cast<double>(numbers)) + 6 * (numbers + sizeof(std::int32_t));
   }
   for (const int size : wallSize_) b += static_cast<std::size_t>(size) * sizeof(Real);
-  for (std::size_t w = 0; w < scene_.walls.size(); ++w) b += isRegion(w) ? 2 * sizeof(Vec3<Real>) : 0;
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) b += isApart(scene_.walls[w]) ? 2 * sizeof(Vec3<Real>) : 0;
   return b;
 }
 
@@ -91,7 +92,7 @@ void EngineImpl<Exec, P>::reserveParticles()
   force_.reserve(n);
   torque_.reserve(n);
   for (std::size_t w = 0; w < wallSize_.size(); ++w) {
-    if (isRegion(w)) regionLoad_[w].reserve(2 * n);
+    if (isApart(scene_.walls[w])) regionLoad_[w].reserve(2 * n);
     if (!wallSize_[w]) continue;
     wallHistory_[w].reserve(n * static_cast<std::size_t>(wallSize_[w]));
     exec_.fill(wallHistory_[w].data(), n * static_cast<std::size_t>(wallSize_[w]), 0);

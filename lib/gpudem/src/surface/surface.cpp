@@ -8,9 +8,28 @@
 #include "surface/surface_tree.hpp"
 #include "surface/surface_view.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstring>
 
 namespace gpudem {
+
+/// All arrays one after the other; the pointers of \c shape are offsets from the beginning.
+struct Surface::Packed {
+  std::vector<std::byte> memory;
+  SurfaceView shape{};
+
+  template <class T>
+  void append(const T *&offset, const std::vector<T> &array)
+  {
+    constexpr std::size_t unit = 16;
+    const std::size_t at = (memory.size() + unit - 1) / unit * unit;
+    memory.resize(at + array.size() * sizeof(T));
+    if (!array.empty()) std::memcpy(memory.data() + at, array.data(), array.size() * sizeof(T));
+    offset = reinterpret_cast<const T *>(at);
+  }
+};
 
 struct Surface::Arrays {
   std::vector<Vec3<double>> vertex;
@@ -19,11 +38,10 @@ struct Surface::Arrays {
   std::vector<Vec3<float>> vertexNormal, edgeNormal;
   SurfaceTree tree;
   SurfaceCells cells;
-  double reach;
-  int side;
 
   void connect(const SurfaceMesh &mesh);
   void makeNormals(const SurfaceMesh &mesh);
+  void pack(Packed &to) const;
 
  private:
   void connectEdge(const SurfaceMesh &mesh, const std::vector<std::uint32_t> &place, const EdgeUse *first,
@@ -118,68 +136,103 @@ void Surface::Arrays::makeNormals(const SurfaceMesh &mesh)
   });
 }
 
-Surface::Surface(const SurfaceMesh &mesh, double reach, SurfaceSide side) : arrays_(new Arrays)
+Surface::Surface(const SurfaceMesh &mesh, double reach, SurfaceSide side) : packed_(new Packed)
 {
   if (mesh.triangle.empty()) throw Error("building a surface: the mesh has no triangle");
   if (!(reach > 0.0) || !std::isfinite(reach))
     throw Error("building a surface: the reach is " + std::to_string(reach) + ", must be above 0");
-  Arrays &a = *arrays_;
-  a.reach = reach;
-  a.side = side == SurfaceSide::Both ? 0 : side == SurfaceSide::Outside ? 1 : -1;
+  Arrays a;
   double largest = 0.0;
   for (const auto &p : mesh.vertex) largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   // centres are rounded to float where they meet the boxes
   a.tree = buildTree(mesh, 2.4e-7 * (largest + 2.0 * reach));
   a.cells = buildCells(mesh, a.tree, reach);
   a.connect(mesh);
-  if (a.side != 0) {
+  if (side != SurfaceSide::Both) {
     forEachEdge(edgeUses(mesh), [&](const EdgeUse *first, const EdgeUse *last) {
       std::ptrdiff_t forward = 0;
       for (const EdgeUse *u = first; u != last; ++u) forward += u->forward;
       if (2 * forward == last - first) return;
-      const auto &p = mesh.vertex[first->low];
-      throw Error("building a surface with an inside: the mesh is not closed at (" + std::to_string(p[0]) + ", " +
-                  std::to_string(p[1]) + ", " + std::to_string(p[2]) + ")");
+      const auto &p = mesh.vertex[first->low], &q = mesh.vertex[first->high];
+      throw Error(fmt::format("the surface has no inside: it is not closed at the edge from ({:g}, {:g}, {:g}) to "
+                              "({:g}, {:g}, {:g})",
+                              p[0], p[1], p[2], q[0], q[1], q[2]));
     });
     a.makeNormals(mesh);
   }
+  a.pack(*packed_);
+  packed_->shape.reach = reach;
+  packed_->shape.side = side == SurfaceSide::Both ? 0 : side == SurfaceSide::Outside ? 1 : -1;
 }
 
 Surface::~Surface() = default;
 Surface::Surface(Surface &&) noexcept = default;
 Surface &Surface::operator=(Surface &&) noexcept = default;
 
+void Surface::Arrays::pack(Packed &to) const
+{
+  SurfaceView &v = to.shape;
+  to.append(v.vertex, vertex);
+  to.append(v.triangle, triangle);
+  to.append(v.node, tree.node);
+  to.append(v.spokeStart, spokeStart);
+  to.append(v.spoke, spoke);
+  to.append(v.fan, fan);
+  to.append(v.vertexNormal, vertexNormal);
+  to.append(v.edgeNormal, edgeNormal);
+  to.append(v.cellKey, cells.key);
+  to.append(v.cellEntry, cells.entry);
+  v.cellMask = static_cast<std::uint32_t>(cells.key.size() - 1);
+  v.triangles = static_cast<std::uint32_t>(triangle.size());
+  v.vertices = static_cast<std::uint32_t>(vertex.size());
+  v.nodes = static_cast<std::uint32_t>(tree.node.size());
+  v.origin = {cells.origin[0], cells.origin[1], cells.origin[2]};
+  v.inverseCell = 1.0 / cells.size;
+}
+
+namespace {
+template <class T>
+void rebase(const T *&offset, const std::byte *base)
+{
+  offset = reinterpret_cast<const T *>(base + reinterpret_cast<std::size_t>(offset));
+}
+}  // namespace
+
+SurfaceView Surface::viewAt(const void *copy) const
+{
+  const auto *base = static_cast<const std::byte *>(copy);
+  SurfaceView v = packed_->shape;
+  rebase(v.vertex, base);
+  rebase(v.triangle, base);
+  rebase(v.node, base);
+  rebase(v.spokeStart, base);
+  rebase(v.spoke, base);
+  rebase(v.fan, base);
+  rebase(v.vertexNormal, base);
+  rebase(v.edgeNormal, base);
+  rebase(v.cellKey, base);
+  rebase(v.cellEntry, base);
+  return v;
+}
+
 SurfaceView Surface::view() const
 {
-  const Arrays &a = *arrays_;
-  SurfaceView v{};
-  v.vertex = a.vertex.data();
-  v.triangle = a.triangle.data();
-  v.node = a.tree.node.data();
-  v.spokeStart = a.spokeStart.data();
-  v.spoke = a.spoke.data();
-  v.fan = a.fan.data();
-  v.vertexNormal = a.vertexNormal.data();
-  v.edgeNormal = a.edgeNormal.data();
-  v.cellKey = a.cells.key.data();
-  v.cellEntry = a.cells.entry.data();
-  v.cellMask = static_cast<std::uint32_t>(a.cells.key.size() - 1);
-  v.triangles = static_cast<std::uint32_t>(a.triangle.size());
-  v.vertices = static_cast<std::uint32_t>(a.vertex.size());
-  v.nodes = static_cast<std::uint32_t>(a.tree.node.size());
-  v.origin = {a.cells.origin[0], a.cells.origin[1], a.cells.origin[2]};
-  v.inverseCell = 1.0 / a.cells.size;
-  v.reach = a.reach;
-  v.side = a.side;
-  return v;
+  return viewAt(data());
+}
+
+const void *Surface::data() const
+{
+  return packed_->memory.data();
 }
 
 std::size_t Surface::bytes() const
 {
-  const Arrays &a = *arrays_;
-  const auto size = [](const auto &array) { return array.size() * sizeof(array[0]); };
-  return size(a.vertex) + size(a.triangle) + size(a.spokeStart) + size(a.spoke) + size(a.fan) + size(a.vertexNormal) +
-         size(a.edgeNormal) + size(a.tree.node) + size(a.cells.key) + size(a.cells.entry);
+  return packed_->memory.size();
+}
+
+double Surface::reach() const
+{
+  return packed_->shape.reach;
 }
 
 }  // namespace gpudem

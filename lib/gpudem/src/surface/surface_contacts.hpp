@@ -146,7 +146,8 @@ class MinimumList {
   SurfaceContacts &out_;
 };
 
-/// Calls visit(triangle number, nearest point, squared distance) for triangles within \p reach of \p x.
+/// Calls visit(triangle number, nearest point, squared distance) for triangles within \p reach of \p x, until it
+/// returns false.
 template <class Visit>
 GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double reach, const Visit &visit)
 {
@@ -168,7 +169,7 @@ GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double rea
       const TrianglePoint p =
           nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
       const double distance2 = dot(p.branch, p.branch);
-      if (distance2 < reach * reach) visit(k, p, distance2);
+      if (distance2 < reach * reach && !visit(k, p, distance2)) return;
     }
   }
 }
@@ -202,7 +203,7 @@ GPUDEM_HD void findProminence(const SurfaceView &s, const Vec3<double> &x, doubl
 {
   for (int j = 0; j < c.count; ++j) prominence[j] = {1.0, 0.0};
   visitNear(s, x, c.contact[c.count - 1].distance, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
-    if (distance2 == 0.0) return;
+    if (distance2 == 0.0) return true;
     SurfaceContact nearer;
     nearer.triangle = k;
     nearer.distance = squareRoot(distance2);
@@ -211,7 +212,19 @@ GPUDEM_HD void findProminence(const SurfaceView &s, const Vec3<double> &x, doubl
       const Vec3<double> chord = c.contact[j].normal - nearer.normal;
       if (dot(chord, chord) > sameDirection2) compareWith(nearer, c.contact[j], reach, prominence[j]);
     }
+    return true;
   });
+}
+
+/// Is any triangle within \p reach of \p x? \pre reach <= s.reach
+GPUDEM_HD bool isNear(const SurfaceView &s, const Vec3<double> &x, double reach)
+{
+  bool found = false;
+  visitNear(s, x, reach, [&](std::uint32_t, const TrianglePoint &, double) {
+    found = true;
+    return false;
+  });
+  return found;
 }
 
 /// Contacts of a sphere of radius \p reach around \p x with the surface, with their weights.
@@ -221,7 +234,7 @@ GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, doub
   MinimumList list(out);
   visitNear(s, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
     const SurfaceTriangle &t = s.triangle[k];
-    if (!isMinimum(s, t, p, x)) return;
+    if (!isMinimum(s, t, p, x)) return true;
     SurfaceContact c;
     c.weight = 1.0;
     c.triangle = k;
@@ -234,6 +247,7 @@ GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, doub
       c.normal = n * ((s.side < 0 ? -1.0 : 1.0) / squareRoot(dot(n, n)));
     }
     list.add(c);
+    return true;
   });
   if (s.side != 0) chooseSides(s, out);
   if (out.count < 2) return;

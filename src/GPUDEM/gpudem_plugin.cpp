@@ -16,6 +16,7 @@
 #include "fix_viscous_gpudem.h"
 #include "fix_wall_gran_gpudem.h"
 #include "fix_wall_gran_region_gpudem.h"
+#include "fix_wall_gran_sdf.h"
 #include "gpudem_command.h"
 #include "gpudem_settings.h"
 #include "pair_gran_hertz_history_gpudem.h"
@@ -83,6 +84,7 @@ void registerStyles(LAMMPS *lmp)
   fixes["enforce2d/gpudem"] = &makeFix<FixEnforce2DGpudem>;
   fixes["wall/gran/gpudem"] = &makeFix<FixWallGranGpudem>;
   fixes["wall/gran/region/gpudem"] = &makeFix<FixWallGranRegionGpudem>;
+  fixes["wall/gran/sdf"] = &makeFix<FixWallGranSdf>;
   fixes["move/gpudem"] = &makeFix<FixMoveGpudem>;
 
   auto &computes = *lmp->modify->compute_map;

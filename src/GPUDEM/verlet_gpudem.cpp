@@ -112,8 +112,10 @@ gpudem::StepInputs VerletGpudem::inputs(bigint step)
   gpudem::StepInputs in;
   in.step = step;
   const auto moves = [](const ResidentWall *wall) { return wall->moves(); };
+  const auto bodyMoves = [](const ResidentWall *wall) { return wall->bodyMoves(); };
   const bool moving = std::any_of(plan.walls.begin(), plan.walls.end(), moves);
-  if (plan.varying.empty() && !moving) return in;
+  const bool bodies = std::any_of(plan.walls.begin(), plan.walls.end(), bodyMoves);
+  if (plan.varying.empty() && !moving && !bodies) return in;
   const bigint now = update->ntimestep;
   update->ntimestep = step;  // the variables read it
   if (!plan.varying.empty()) {
@@ -124,6 +126,9 @@ gpudem::StepInputs VerletGpudem::inputs(bigint step)
   if (moving) in.wallMotion.resize(plan.scene.walls.size());
   for (ResidentWall *wall : plan.walls)
     if (wall->moves()) in.wallMotion[wall->wallIndex()] = wall->motion();
+  if (bodies) in.bodyMotion.resize(plan.scene.walls.size());
+  for (ResidentWall *wall : plan.walls)
+    if (wall->bodyMoves()) in.bodyMotion[wall->wallIndex()] = wall->bodyMotion();
   update->ntimestep = now;
   return in;
 }
@@ -228,6 +233,7 @@ void VerletGpudem::publish(const gpudem::Recording &record)
     plan.pair->setVirial(seen.virial);
     std::copy(seen.virial.begin(), seen.virial.end(), force->pair->virial);  // of a hybrid that wraps the pair style
   }
+  for (ResidentWall *wall : plan.walls) wall->setSums(seen.wall[wall->wallIndex()]);
   for (ResidentFix *fix : plan.fixes)
     if (fix->term >= 0) fix->setForceBefore(seen.termForce[fix->term]);
 }

@@ -3,6 +3,7 @@
 /// \file The door of the library: particles in, steps, particles out. Free of CUDA and of LAMMPS.
 #pragma once
 
+#include "gpudem/body_motion.h"
 #include "gpudem/errors.h"
 #include "gpudem/scene.h"
 
@@ -59,14 +60,6 @@ struct PartMotion {
   double angle = 0;            ///< about pivot and pivotAxis (radian)
   Array3 velocity{};           ///< of the displacement (distance/time)
   double angularVelocity = 0;  ///< of the angle (radian/time)
-};
-
-/// Where a rigid body is and how it moves: a point X of the body is at rotation X + displacement.
-struct BodyMotion {
-  std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< row by row
-  Array3 displacement{};                                      ///< place of the body's origin (distance)
-  Array3 velocity{};                                          ///< of the body's origin (distance/time)
-  Array3 angularVelocity{};                                   ///< (radian/time)
 };
 
 /// What the grains do to a wall, sums over the contacts of the last event.

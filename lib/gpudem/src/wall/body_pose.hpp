@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/vec3.hpp"
-#include "gpudem/engine.h"
+#include "gpudem/body_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -93,3 +93,12 @@ class ChungOoi:
 
 
 CHUNG_OOI = ChungOoi()
+
+# Weight of a bed at rest read from the wall (relative): double rests to round-off; mixed sums forces of single precision.
+WALL_WEIGHT = {"host": 1e-9, "double": 1e-9, "mixed": 1e-6}
+# Sums over contacts against the same sums over the dumped grains: order of summation; single precision.
+WALL_SUMS = {"host": 1e-12, "double": 1e-12, "mixed": 1e-6}
+# A grain on a plane of facets against a plane, mixed: 2e4 steps in single precision, a tenth of a turn at most.
+ROLLING_MIXED = 1e-4
+# A drum of facets against a round one (position, diameters): the sagitta, of second order in the facet's length.
+DRUM_FACETS = 0.02

@@ -41,6 +41,7 @@ struct WarpContacts {
     const std::uint32_t words = (s.rows.maskStart[slice + 1] - wordStart) / W;
     const CoarsePosition c = s.in.coarse[inRange ? i : s.count - 1];
     const std::uint32_t length = inRange && s.refresh ? s.rows.count[i] : 0u;
+    if (inRange) prefetchLine(s.motionIn + i);
     GPUDEM_UNROLL
     for (int d = 0; d < loads; ++d) shared.sum[d][lane] = Real(0);
     for (std::uint32_t w = 0; w < words; ++w) {
@@ -105,6 +106,14 @@ struct WarpContacts {
     return bits & inRow;
   }
 
+  /// Ask for what a contact will need.
+  __device__ void prefetch(std::uint32_t entry, std::uint32_t j) const
+  {
+    prefetchLine(s.motionIn + j);
+    if (P::fine) prefetchLine(s.in.fine + j);
+    if (Law::numbers > 0) prefetchLine(s.rows.spring + static_cast<std::size_t>(Law::historySize(s)) * entry);
+  }
+
   /// Those of the entries \p near that may touch.
   __device__ std::uint32_t pick(std::uint32_t row, std::uint32_t first, std::uint32_t near,
                                 const CoarsePosition &c) const
@@ -115,10 +124,17 @@ struct WarpContacts {
       near &= near - 1;
       const int k2 = near ? lowestBit(near) : k;
       near &= near - 1;
-      const CoarsePosition o = s.in.coarse[s.rows.neighbor[row + (first + k) * W]];
-      const CoarsePosition o2 = s.in.coarse[s.rows.neighbor[row + (first + k2) * W]];
-      if (mayTouch(c, o, s.coarseUnit, s.reachSlack)) bits |= 1u << k;
-      if (mayTouch(c, o2, s.coarseUnit, s.reachSlack)) bits |= 1u << k2;
+      const std::uint32_t entry = row + (first + k) * W, entry2 = row + (first + k2) * W;
+      const std::uint32_t j = s.rows.neighbor[entry], j2 = s.rows.neighbor[entry2];
+      const CoarsePosition o = s.in.coarse[j], o2 = s.in.coarse[j2];
+      if (mayTouch(c, o, s.coarseUnit, s.reachSlack)) {
+        bits |= 1u << k;
+        prefetch(entry, j);
+      }
+      if (mayTouch(c, o2, s.coarseUnit, s.reachSlack)) {
+        bits |= 1u << k2;
+        prefetch(entry2, j2);
+      }
     }
     return bits;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file When the marks of the inner list must be refreshed (contact_warp.cuh). Host code.
+/// \file When the marks of the inner list must be refreshed (contact_warp.hpp). Host code.
 ///
 /// A mark is right as long as no grain moved by more than half of the inner skin since all distances were measured.
 /// The host plans a number of steps between two measurements from the longest step seen; the device stops the queue at

@@ -104,7 +104,7 @@ class Search {
     const CellGrid home = chooseGrid(c.box, 2.0 * largest + c.skin, mostCells);
     const Frame frame = chooseFrame(c.box, home);
     const LevelGrid grid =
-        levelGrid(c.box, chooseLevels(c.radius.data(), n_, largest, levels, ratio), home, 0.0, c.skin);
+        levelGrid(c.box, chooseLevels(c.radius.data(), n_, largest, levels, ratio, ratio), home, 0.0, c.skin);
     this->levels = grid.levels;
 
     for (auto *a : {&key, &cell, &homeCell, &mask}) a->reserve(n_);

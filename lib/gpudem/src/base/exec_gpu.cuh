@@ -26,14 +26,14 @@ inline void check(cudaError_t status, const char *what)
 }
 
 template <class F>
-__global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachKernel(std::uint32_t count, const F f)
+__global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachKernel(std::uint32_t count, const __grid_constant__ F f)
 {
   const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i < count) f(i);
 }
 
 template <class F>
-__global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachWarpKernel(std::uint32_t count, const F f)
+__global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachWarpKernel(std::uint32_t count, const __grid_constant__ F f)
 {
   __shared__ typename F::Shared shared[F::blockSize / 32];
   const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;

@@ -97,6 +97,17 @@ GPUDEM_HD float biasedByte(std::uint32_t word, int k)
 #endif
 }
 
+/// Ask for the memory at \p address, which will be read soon.
+template <class T>
+GPUDEM_HD void prefetchLine(const T *address)
+{
+#ifdef __CUDA_ARCH__
+  asm volatile("prefetch.global.L1 [%0];" ::"l"(address));
+#else
+  __builtin_prefetch(address);
+#endif
+}
+
 template <class Real>
 GPUDEM_HD Real absolute(Real x)
 {

@@ -16,9 +16,7 @@
 #include "neighbor/pair_table.hpp"
 #include "neighbor/row_table.hpp"
 #include "step/contact_chunk.hpp"
-#ifdef __CUDACC__
-#include "step/contact_warp.cuh"
-#endif
+#include "step/contact_warp.hpp"
 #include "step/kernel_products.hpp"
 #include "step/observables.hpp"
 #include "step/region_step.hpp"

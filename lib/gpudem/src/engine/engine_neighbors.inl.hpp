@@ -61,6 +61,7 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
   box_ = box;
   ++report_.rebuilds;
   if (!count_) {
+    drift_.forget();
     rowsValid_ = true;
     return;
   }
@@ -166,7 +167,7 @@ void EngineImpl<Exec, P>::buildTable()
   table_.build(exec_, v, keepsContacts_, store, order_.data());
   report_.entriesPerGrain = static_cast<double>(table_.entries()) / count_;
   report_.cells = levels_.cells();
-  report_.levels = levels_.levels;
+  report_.levelRadii.assign(levelRadii_.begin(), levelRadii_.end());
 }
 
 template <class Exec, class P>

@@ -198,11 +198,8 @@ template <class Exec, class P>
 template <class Law, StepMode mode, WallUse walls>
 void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
 {
-#ifdef __CUDACC__
-  exec_.forEachWarp(count_, WarpContacts<P, Law, mode, walls>{v});
-#else
-  exec_.forEachChunk(chunksOf(count_, grainsPerChunk), ContactChunk<P, Law, mode, walls>{v, table_.view()});
-#endif
+  if constexpr (Exec::onGpu) exec_.forEachWarp(count_, WarpContacts<P, Law, mode, walls>{v});
+  else exec_.forEachChunk(chunksOf(count_, grainsPerChunk), ContactChunk<P, Law, mode, walls>{v, table_.view()});
 }
 
 template <class Exec, class P>

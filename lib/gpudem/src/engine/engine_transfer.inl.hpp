@@ -177,7 +177,8 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
   Motion<Real> *motion = motion_[motNow_].data();
   const auto vectors = [&](const double *p) { return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_); };
   if ((fields & fieldShape) && host.radius) {
-    levelRadii_ = chooseLevels(host.radius, count_, scene_.largestRadius, scene_.levels, scene_.levelRatio);
+    levelRadii_ = chooseLevels(host.radius, count_, scene_.largestRadius, scene_.levels, scene_.levelRatio,
+                               scene_.multigridFrom);
     exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), index, positions()});
     exec_.forEach(count_, ImportMass<Real>{stageIn(host.mass, count_), index, motion});
     rowsValid_ = false;

@@ -18,7 +18,9 @@ constexpr double mostCells = 2147483648.0;
 /// out, and a level's cells fit the largest grain in it.
 /// \param levels wanted, 0: as many as the sizes need
 /// \param ratio of the largest sizes of successive levels, for levels = 0
-inline std::vector<float> chooseLevels(const double *radius, std::size_t count, double largest, int levels, double ratio)
+/// \param from  ratio of the largest to the smallest size below which there is one level, for levels = 0
+inline std::vector<float> chooseLevels(const double *radius, std::size_t count, double largest, int levels, double ratio,
+                                       double from)
 {
   double smallest = largest;
   for (std::size_t i = 0; i < count; ++i) smallest = std::min(smallest, radius[i]);
@@ -26,7 +28,7 @@ inline std::vector<float> chooseLevels(const double *radius, std::size_t count, 
   double width = levels > 0 ? spread / levels : std::log(ratio);
   if (levels == 0) width = std::max(width, spread / maxLevels);
   std::array<double, maxLevels> most{};
-  if (levels == 1 || !(spread > width)) return {std::nextafter(static_cast<float>(largest), HUGE_VALF)};
+  if (levels == 1 || !(spread > width) || (levels == 0 && spread < std::log(from))) return {std::nextafter(static_cast<float>(largest), HUGE_VALF)};
   const int bins = levels > 0 ? std::min(levels, maxLevels) : maxLevels;
   for (std::size_t i = 0; i < count; ++i) {
     const int bin = std::clamp(static_cast<int>(std::log(largest / radius[i]) / width), 0, bins - 1);

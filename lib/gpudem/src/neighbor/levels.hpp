@@ -10,11 +10,12 @@
 /// and Luding, Comput. Part. Mech. 1 (2014) 357.
 #pragma once
 
+#include "gpudem/scene.h"
 #include "neighbor/cell_grid.hpp"
 
 namespace gpudem {
 
-constexpr int maxLevels = 12;
+constexpr int maxLevels = mostLevels;
 
 struct LevelGrid {
   int levels;

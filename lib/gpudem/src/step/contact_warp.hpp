@@ -10,6 +10,7 @@
 /// same bits in every run.
 #pragma once
 
+#include "base/warp.hpp"
 #include "step/contact_step.hpp"
 
 namespace gpudem {
@@ -17,7 +18,7 @@ namespace gpudem {
 template <class P, class Law, StepMode mode, WallUse walls>
 struct WarpContacts {
   using Real = typename P::Real;
-  static constexpr std::uint32_t W = 32, allLanes = 0xffffffffu;
+  static constexpr std::uint32_t W = warpWidth, allLanes = 0xffffffffu;
   static constexpr int blockSize = 128;
   static constexpr int minimumBlocks = Law::moments ? (P::fine ? 4 : 6) : (P::fine ? 5 : 8);
   static constexpr std::uint32_t capacity = 256;  ///< contacts in the queue
@@ -33,14 +34,15 @@ struct WarpContacts {
   StepView<P> s;
 
   /// All lanes of a warp call this together; \p i is the grain of the lane if \p inRange.
-  __device__ void operator()(std::uint32_t i, bool inRange, Shared &shared) const
+  GPUDEM_HD void operator()(std::uint32_t i, bool inRange, Shared &shared) const
   {
     if (s.sequence > s.status->lastAllowed) return;
-    const std::uint32_t lane = threadIdx.x % W, slice = i / W;
+    const std::uint32_t lane = warpLane(), slice = i / W;
     const std::uint32_t base = s.rows.start[slice], wordStart = s.rows.maskStart[slice];
     const std::uint32_t words = (s.rows.maskStart[slice + 1] - wordStart) / W;
     const CoarsePosition c = s.in.coarse[inRange ? i : s.count - 1];
     const std::uint32_t length = inRange && s.refresh ? s.rows.count[i] : 0u;
+    if (inRange) prefetchLine(s.motionIn + i);
     GPUDEM_UNROLL
     for (int d = 0; d < loads; ++d) shared.sum[d][lane] = Real(0);
     for (std::uint32_t w = 0; w < words; ++w) {
@@ -50,7 +52,7 @@ struct WarpContacts {
       if (Law::keeps(s) && inRange) old = s.rows.touch[word];
       std::uint32_t bits = s.refresh ? measure(base + lane, length, first, c, near) : pick(base + lane, first, near, c);
       if (s.refresh && inRange) s.rows.near[word] = near;
-      if (!__any_sync(allLanes, (bits | old) != 0)) continue;
+      if (!warpAny((bits | old) != 0)) continue;
       const std::uint32_t now = visit(base, i - lane, first, bits, old, shared);
       if (Law::keeps(s) && inRange && now != old) s.rows.touch[word] = now;
     }
@@ -71,16 +73,16 @@ struct WarpContacts {
 
  private:
   /// Does the inner list stay right, and how long are the steps?
-  __device__ void watchStep(float moved2) const
+  GPUDEM_HD void watchStep(float moved2) const
   {
     if (moved2 > s.innerStepLimit2) raiseStale(s, moved2);
     if (!s.refresh) return;
-    const std::uint32_t longest = __reduce_max_sync(allLanes, bitsOf(fmaxf(moved2, 1.0e-30f)));
-    if (threadIdx.x % W == 0 && longest > __ldcg(&s.status->longestStep2)) atomicMax(&s.status->longestStep2, longest);
+    const std::uint32_t longest = warpMax(bitsOf(moved2 > 1.0e-30f ? moved2 : 1.0e-30f));
+    if (warpLane() == 0 && longest > readFresh(&s.status->longestStep2)) atomicRaise(&s.status->longestStep2, longest);
   }
 
   /// Entries first .. first + 31 of a row. \return bits of grains that may touch; \p near those within the inner reach
-  __device__ std::uint32_t measure(std::uint32_t row, std::uint32_t length, std::uint32_t first,
+  GPUDEM_HD std::uint32_t measure(std::uint32_t row, std::uint32_t length, std::uint32_t first,
                                    const CoarsePosition &c, std::uint32_t &near) const
   {
     std::uint32_t bits = 0;
@@ -105,8 +107,16 @@ struct WarpContacts {
     return bits & inRow;
   }
 
+  /// Ask for what a contact will need.
+  GPUDEM_HD void prefetch(std::uint32_t entry, std::uint32_t j) const
+  {
+    prefetchLine(s.motionIn + j);
+    if (P::fine) prefetchLine(s.in.fine + j);
+    if (Law::numbers > 0) prefetchLine(s.rows.spring + static_cast<std::size_t>(Law::historySize(s)) * entry);
+  }
+
   /// Those of the entries \p near that may touch.
-  __device__ std::uint32_t pick(std::uint32_t row, std::uint32_t first, std::uint32_t near,
+  GPUDEM_HD std::uint32_t pick(std::uint32_t row, std::uint32_t first, std::uint32_t near,
                                 const CoarsePosition &c) const
   {
     std::uint32_t bits = 0;
@@ -115,10 +125,17 @@ struct WarpContacts {
       near &= near - 1;
       const int k2 = near ? lowestBit(near) : k;
       near &= near - 1;
-      const CoarsePosition o = s.in.coarse[s.rows.neighbor[row + (first + k) * W]];
-      const CoarsePosition o2 = s.in.coarse[s.rows.neighbor[row + (first + k2) * W]];
-      if (mayTouch(c, o, s.coarseUnit, s.reachSlack)) bits |= 1u << k;
-      if (mayTouch(c, o2, s.coarseUnit, s.reachSlack)) bits |= 1u << k2;
+      const std::uint32_t entry = row + (first + k) * W, entry2 = row + (first + k2) * W;
+      const std::uint32_t j = s.rows.neighbor[entry], j2 = s.rows.neighbor[entry2];
+      const CoarsePosition o = s.in.coarse[j], o2 = s.in.coarse[j2];
+      if (mayTouch(c, o, s.coarseUnit, s.reachSlack)) {
+        bits |= 1u << k;
+        prefetch(entry, j);
+      }
+      if (mayTouch(c, o2, s.coarseUnit, s.reachSlack)) {
+        bits |= 1u << k2;
+        prefetch(entry2, j2);
+      }
     }
     return bits;
   }
@@ -127,10 +144,10 @@ struct WarpContacts {
   /// \param warpFirst grain of lane 0
   /// \param old       entries of the lane's grain that were in contact
   /// \return those that are in contact now
-  __device__ std::uint32_t visit(std::uint32_t base, std::uint32_t warpFirst, std::uint32_t first, std::uint32_t bits,
+  GPUDEM_HD std::uint32_t visit(std::uint32_t base, std::uint32_t warpFirst, std::uint32_t first, std::uint32_t bits,
                                  std::uint32_t old, Shared &shared) const
   {
-    const std::uint32_t lane = threadIdx.x % W, below = (1u << lane) - 1u;
+    const std::uint32_t lane = warpLane(), below = (1u << lane) - 1u;
     shared.old[lane] = old;
     shared.now[lane] = bits;
     for (;;) {
@@ -138,24 +155,24 @@ struct WarpContacts {
       // neighbouring entries, and a grain adds its contacts in the order of its row
       std::uint32_t total = 0, rank = 0;
       for (;; ++rank) {
-        const std::uint32_t owners = __ballot_sync(allLanes, bits != 0);
-        if (owners == 0 || total + __popc(owners) > capacity) break;
-        if (bits) shared.queue[total + __popc(owners & below)] =
+        const std::uint32_t owners = warpBallot(bits != 0);
+        if (owners == 0 || total + static_cast<std::uint32_t>(bitCount(owners)) > capacity) break;
+        if (bits) shared.queue[total + static_cast<std::uint32_t>(bitCount(owners & below))] =
             static_cast<std::uint16_t>(rank << 10 | lane << 5 | static_cast<std::uint32_t>(lowestBit(bits)));
         bits &= bits - 1;
-        total += __popc(owners);
+        total += static_cast<std::uint32_t>(bitCount(owners));
       }
-      __syncwarp();
+      warpSync();
       if (total == 0) return shared.now[lane];
       for (std::uint32_t start = 0; start < total; start += W) work(base, warpFirst, first, start, total, shared);
     }
   }
 
   /// One contact of the queue for every lane.
-  __device__ void work(std::uint32_t base, std::uint32_t warpFirst, std::uint32_t first, std::uint32_t start,
+  GPUDEM_HD void work(std::uint32_t base, std::uint32_t warpFirst, std::uint32_t first, std::uint32_t start,
                        std::uint32_t total, Shared &shared) const
   {
-    const std::uint32_t at = start + threadIdx.x % W;
+    const std::uint32_t at = start + warpLane();
     const std::uint32_t contact = shared.queue[at < total ? at : total - 1];
     const std::uint32_t owner = contact >> 5 & 31u, k = contact & 31u, rank = contact >> 10;
     Real load[loads];
@@ -163,20 +180,20 @@ struct WarpContacts {
     if (at < total) {
       const bool held = shared.old[owner] >> k & 1u;
       touches = evaluate(warpFirst + owner, base + (first + k) * W + owner, held, load);
-      if (!touches) atomicAnd(&shared.now[owner], ~(1u << k));
+      if (!touches) clearShared(&shared.now[owner], 1u << k);
     }
-    const std::uint32_t lastRank = __shfl_sync(allLanes, rank, W - 1);
-    for (std::uint32_t r = __shfl_sync(allLanes, rank, 0); r <= lastRank; ++r) {
+    const std::uint32_t lastRank = warpShuffle(rank, W - 1);
+    for (std::uint32_t r = warpShuffle(rank, 0); r <= lastRank; ++r) {
       if (touches && r == rank) {
         GPUDEM_UNROLL
         for (int d = 0; d < loads; ++d) shared.sum[d][owner] += load[d];
       }
-      __syncwarp();
+      warpSync();
     }
   }
 
   /// Contact of grain \p i with the grain of \p entry. \return do they touch?
-  __device__ bool evaluate(std::uint32_t i, std::uint32_t entry, bool held, Real *load) const
+  GPUDEM_HD bool evaluate(std::uint32_t i, std::uint32_t entry, bool held, Real *load) const
   {
     const bool keeps = Law::keeps(s);
     const Self<P> self = loadSelf(s, i);

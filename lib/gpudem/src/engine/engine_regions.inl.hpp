@@ -98,9 +98,9 @@ void EngineImpl<Exec, P>::throwCrowded(std::uint32_t particle, std::int64_t step
   resetStatus();
   rowsValid_ = false;
   throw Error(
-      fmt::format("atom {} at step {} touches more places of a wall than one grain may: it is too large for a "
-                  "region, deep in its surface, or the facets of a hollow surface are small against the overlap (keyword "
-                  "max/contacts)",
+      fmt::format("atom {} at step {} touches more faces of a region wall, or more places of a surface, than one grain "
+                  "may: it is too large for the region, deep in the surface, or the facets of a hollow surface are small "
+                  "against the overlap (keyword max/contacts)",
                   tag, step));
 }
 

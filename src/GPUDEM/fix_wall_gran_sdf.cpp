@@ -17,6 +17,17 @@ using namespace FixConst;
 
 namespace {
 constexpr int columns = 8;  // of the contacts output, as in fix wall/gran
+
+/// Moment about the axis through \p point of a force that acts at \p at.
+double axisMoment(const gpudem::Array3 &point, const double *at, const double *force, const gpudem::Array3 &axis)
+{
+  double moment = 0.0;
+  for (int d = 0; d < 3; ++d) {
+    const int a = (d + 1) % 3, b = (d + 2) % 3;
+    moment += axis[d] * ((at[a] - point[a]) * force[b] - (at[b] - point[b]) * force[a]);
+  }
+  return moment;
+}
 }
 
 FixWallGranSdf::FixWallGranSdf(LAMMPS *lmp, int narg, char **arg)
@@ -33,10 +44,17 @@ FixWallGranSdf::FixWallGranSdf(LAMMPS *lmp, int narg, char **arg)
   reference = in.reference.value_or(gpudem::Array3{});
 
   vector_flag = 1;
-  size_vector = 11;
+  size_vector = 13;
   global_freq = 1;
   extvector = 0;
-  time_depend = in.moves.empty() ? 0 : 1;
+  if (in.zones) {
+    array_flag = 1;
+    size_array_rows = static_cast<int>(std::max<std::size_t>(1, in.wall.surface->zoneName.size()));
+    size_array_cols = 7;
+    extarray = 0;
+  }
+  if (!in.faces.file.empty()) faces = std::make_unique<gpudem::FaceLoads>(in.wall.surface, in.faces.wear);
+  time_depend = bodyMoves() ? 1 : 0;
   create_attribute = 1;
   restart_peratom = restart_global = 1;
   maxexchange = 1 + numbers() + columns;
@@ -49,7 +67,7 @@ FixWallGranSdf::FixWallGranSdf(LAMMPS *lmp, int narg, char **arg)
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
   for (int i = 0; i < atom->nlocal; ++i) FixWallGranSdf::set_arrays(i);
-  timeOrigin = update->ntimestep;
+  timeOrigin = sampledStep = update->ntimestep;
   report();
 }
 
@@ -95,9 +113,23 @@ void FixWallGranSdf::setup(int vflag)
   post_force(vflag);
 }
 
+double FixWallGranSdf::elapsed() const
+{
+  return static_cast<double>(update->ntimestep - timeOrigin) * update->dt;
+}
+
 gpudem::BodyMotion FixWallGranSdf::bodyMotion()
 {
-  return LAMMPS_NS::bodyMotion(lmp, in.moves, static_cast<double>(update->ntimestep - timeOrigin) * update->dt);
+  const gpudem::BodyMotion moved = LAMMPS_NS::bodyMotion(lmp, in.moves, elapsed());
+  return in.servo ? gpudem::composed(in.servo->motionAt(elapsed()), moved) : moved;
+}
+
+std::vector<int> FixWallGranSdf::periods() const
+{
+  std::vector<int> all;
+  if (in.servo) all.push_back(in.servoEvery);
+  if (faces) all.push_back(in.faces.sampleEvery);
+  return all;
 }
 
 void FixWallGranSdf::post_force(int)
@@ -129,7 +161,45 @@ void FixWallGranSdf::setSums(const gpudem::WallSums &sumsNow)
 {
   sums = sumsNow;
   motionOfSums = bodyMotion();
-  summed = false;
+  summed = zonesSummed = false;
+  sample();
+}
+
+// the setup of a run evaluates the force of a step that was there before: nothing is seen twice
+void FixWallGranSdf::sample()
+{
+  const bigint step = update->ntimestep;
+  if (step <= sampledStep) return;
+  sampledStep = step;
+  if (faces && step % in.faces.sampleEvery == 0) {
+    faces->add(sums.touches, motionOfSums, in.faces.sampleEvery * update->dt);
+    if (step % in.faces.writeEvery == 0) writeFaces();
+  }
+  if (in.servo && step % in.servoEvery == 0) {
+    sumOverRanks();
+    const int first = in.servo->kind == gpudem::Servo::Kind::Force ? 0 : 3;
+    double load = 0.0;
+    for (int d = 0; d < 3; ++d) load += vector[first + d] * in.servo->axis[d];
+    if (first == 3) load += axisMoment(in.servo->point, vector + 8, vector, in.servo->axis);
+    in.servo->update(elapsed(), load);
+  }
+}
+
+void FixWallGranSdf::writeFaces()
+{
+  const auto n = static_cast<int>(faces->sums().size()), m = static_cast<int>(faces->wear().size());
+  std::vector<double> total(n), wear(m);
+  MPI_Reduce(faces->sums().data(), total.data(), n, MPI_DOUBLE, MPI_SUM, 0, world);
+  MPI_Reduce(faces->wear().data(), wear.data(), m, MPI_DOUBLE, MPI_SUM, 0, world);
+  std::string path = in.faces.file;
+  const auto star = path.find('*');
+  if (star != std::string::npos) path.replace(star, 1, std::to_string(update->ntimestep));
+  try {
+    if (comm->me == 0) faces->write(path, motionOfSums, total, wear);
+  } catch (const gpudem::Error &e) {
+    error->one(FLERR, "Fix wall/gran/sdf: {}", e.what());
+  }
+  faces->restart();
 }
 
 void FixWallGranSdf::sumOverRanks()
@@ -155,6 +225,25 @@ void FixWallGranSdf::sumOverRanks()
   }
   vector[6] = power;
   vector[7] = total[6];
+  if (in.servo) {
+    vector[11] = in.servo->placeAt(elapsed());
+    vector[12] = in.servo->speed;
+  }
+}
+
+void FixWallGranSdf::sumZones()
+{
+  if (zonesSummed) return;
+  zonesSummed = true;
+  const auto mine = gpudem::zoneSums(*in.wall.surface, sums.touches, gpudem::placeOf(motionOfSums, reference));
+  zoneArray.assign(7 * mine.size(), 0.0);
+  MPI_Allreduce(mine[0].data(), zoneArray.data(), static_cast<int>(zoneArray.size()), MPI_DOUBLE, MPI_SUM, world);
+}
+
+double FixWallGranSdf::compute_array(int zone, int n)
+{
+  sumZones();
+  return zoneArray[7 * static_cast<std::size_t>(zone) + static_cast<std::size_t>(n)];
 }
 
 double FixWallGranSdf::compute_vector(int n)
@@ -250,18 +339,41 @@ int FixWallGranSdf::size_restart(int nlocal)
   return 2 + packContacts(nlocal, buffer.data());
 }
 
+// step of the beginning, last sampled step, servo (place, speed, time of its update), wear of the triangles
 void FixWallGranSdf::write_restart(FILE *file)
 {
+  std::vector<double> wear;
+  if (faces) {
+    wear.resize(faces->wear().size());
+    MPI_Reduce(faces->wear().data(), wear.data(), static_cast<int>(wear.size()), MPI_DOUBLE, MPI_SUM, 0, world);
+  }
   if (comm->me != 0) return;
-  const double origin = static_cast<double>(timeOrigin);
-  const int size = sizeof origin;
+  std::vector<double> state{static_cast<double>(timeOrigin), static_cast<double>(sampledStep), 0.0, 0.0, 0.0};
+  if (in.servo) {
+    state[2] = in.servo->place;
+    state[3] = in.servo->speed;
+    state[4] = in.servo->since;
+  }
+  state.push_back(static_cast<double>(wear.size()));
+  state.insert(state.end(), wear.begin(), wear.end());
+  const int size = static_cast<int>(state.size() * sizeof(double));
   fwrite(&size, sizeof size, 1, file);
-  fwrite(&origin, size, 1, file);
+  fwrite(state.data(), sizeof(double), state.size(), file);
 }
 
 void FixWallGranSdf::restart(char *buffer)
 {
-  timeOrigin = static_cast<bigint>(*reinterpret_cast<double *>(buffer));
+  const auto *state = reinterpret_cast<const double *>(buffer);
+  timeOrigin = static_cast<bigint>(state[0]);
+  sampledStep = static_cast<bigint>(state[1]);
+  if (in.servo) {
+    in.servo->place = state[2];
+    in.servo->speed = state[3];
+    in.servo->since = state[4];
+  }
+  // another surface, or none before: its wear begins anew
+  if (!faces || static_cast<std::size_t>(state[5]) != faces->wear().size()) return;
+  if (comm->me == 0) std::copy_n(state + 6, faces->wear().size(), faces->wear().begin());
 }
 
 double FixWallGranSdf::memory_usage()

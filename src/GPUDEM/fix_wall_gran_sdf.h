@@ -21,6 +21,7 @@ class FixWallGranSdf : public Fix, public ResidentWall {
   void setup(int vflag) override;
   void post_force(int vflag) override;
   double compute_vector(int n) override;
+  double compute_array(int zone, int n) override;
 
   void grow_arrays(int nmax) override;
   void copy_arrays(int i, int j, int delflag) override;
@@ -43,7 +44,8 @@ class FixWallGranSdf : public Fix, public ResidentWall {
   void importHistory(const std::vector<double> &history) override;
   bool recordsContacts() const override { return in.recordContacts; }
   void importContacts(const std::vector<double> &columns) override;
-  bool bodyMoves() const override { return !in.moves.empty(); }
+  bool bodyMoves() const override { return !in.moves.empty() || in.servo; }
+  std::vector<int> periods() const override;
   gpudem::BodyMotion bodyMotion() override;
   void setSums(const gpudem::WallSums &sums) override;
 
@@ -53,7 +55,12 @@ class FixWallGranSdf : public Fix, public ResidentWall {
   void unpackContacts(int i, const double *buffer, int count);
   int slotSize() const { return numbers() / in.wall.mostContacts; }
   void sumOverRanks();
+  void sumZones();
   void report();
+  double elapsed() const;
+  /// Let servo and faces see the sums, if it is their step.
+  void sample();
+  void writeFaces();
 
   SurfaceArguments in;
   std::unique_ptr<gpudem::SurfaceWall> wallOnHost;  ///< made at the first force on the host
@@ -62,8 +69,11 @@ class FixWallGranSdf : public Fix, public ResidentWall {
   gpudem::Array3 reference{};                       ///< of torques, at its first place (distance)
   gpudem::WallSums sums;                            ///< of this rank
   gpudem::BodyMotion motionOfSums;                  ///< motion at the step of the sums
-  double vector[11] = {};                           ///< output, valid if summed
-  bool summed = false;
+  double vector[13] = {};                           ///< output, valid if summed
+  std::vector<double> zoneArray;                    ///< [zones][7], valid if zonesSummed
+  bool summed = false, zonesSummed = false;
+  bigint sampledStep;                               ///< the last step that servo and faces saw
+  std::unique_ptr<gpudem::FaceLoads> faces;
 };
 
 }  // namespace LAMMPS_NS

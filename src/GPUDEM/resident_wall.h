@@ -34,6 +34,8 @@ class ResidentWall : public ResidentFix {
   virtual bool bodyMoves() const { return false; }
   /// Its place and velocity at update->ntimestep.
   virtual gpudem::BodyMotion bodyMotion() { return {}; }
+  /// Numbers of steps after which it must see what the grains do, counted from step 0.
+  virtual std::vector<int> periods() const { return {}; }
   /// What the grains did to the wall at an event.
   virtual void setSums(const gpudem::WallSums &) {}
 

@@ -53,6 +53,13 @@ class Words {
     if (!(x >= 0.0)) lmp_->error->all(FLERR, "{}: {} is {:g}, it must not be negative", command, what, x);
     return x;
   }
+  int steps(const std::string &what)
+  {
+    const double n = number(what);
+    if (n != std::floor(n) || n < 1 || n > 1e9)
+      lmp_->error->all(FLERR, "{}: {} is {:g}, it must be a whole number above 0", command, what, n);
+    return static_cast<int>(n);
+  }
   Array3 vector(const std::string &what) { return {number(what + " x"), number(what + " y"), number(what + " z")}; }
   Array3 direction(const std::string &what)
   {
@@ -163,6 +170,43 @@ gpudem::SurfaceSide readSide(LAMMPS *lmp, Words &words)
   return {};
 }
 
+FacesOutput readFaces(LAMMPS *lmp, Words &words)
+{
+  FacesOutput f;
+  f.sampleEvery = words.steps("the number of steps between samples");
+  f.writeEvery = words.steps("the number of steps between files");
+  if (f.writeEvery % f.sampleEvery)
+    lmp->error->all(FLERR, "{}: faces are written every {} steps, which is no multiple of the {} between samples", command,
+                    f.writeEvery, f.sampleEvery);
+  f.file = words.word("the VTK file of the faces");
+  return f;
+}
+
+gpudem::Servo readServo(LAMMPS *lmp, Words &words, int &every)
+{
+  gpudem::Servo s;
+  const std::string kind = words.word("what the servo holds");
+  if (kind == "torque") {
+    s.kind = gpudem::Servo::Kind::Torque;
+    s.point = words.vector("the point on the axis");
+  } else if (kind != "force") {
+    lmp->error->all(FLERR, "{}: a servo holds force or torque, not '{}'", command, kind);
+  }
+  s.axis = words.direction("the axis");
+  s.target = words.number("the target");
+  s.fastest = words.positive("the largest speed");
+  every = words.steps("the number of steps between updates of the servo");
+  if (words.next("gain")) {
+    words.word("");
+    s.gain = words.positive("the gain");
+  } else if (s.target == 0.0) {
+    lmp->error->all(FLERR, "{}: a servo with target 0 needs a gain", command);
+  } else {
+    s.gain = s.fastest / std::abs(s.target);
+  }
+  return s;
+}
+
 /// Move all vertices: keywords scale, rotate and translate in their order.
 template <class Change>
 void change(gpudem::SurfaceMesh &mesh, const Change &place)
@@ -200,10 +244,21 @@ void readKeyword(LAMMPS *lmp, const std::string &keyword, Words &words, SurfaceA
     a.wall.mostContacts = static_cast<int>(n);
   } else if (keyword == "contacts") {
     a.recordContacts = true;
+  } else if (keyword == "zones") {
+    a.zones = a.wall.recordTouches = true;
+  } else if (keyword == "faces") {
+    const double wear = a.faces.wear;
+    a.faces = readFaces(lmp, words);
+    a.faces.wear = wear;
+    a.wall.recordTouches = true;
+  } else if (keyword == "wear") {
+    a.faces.wear = words.notNegative("the coefficient of wear");
+  } else if (keyword == "servo") {
+    a.servo = readServo(lmp, words, a.servoEvery);
   } else {
     lmp->error->all(FLERR,
                     "{}: '{}' is no keyword; there are scale, rotate, translate, side, move, reference, weld, "
-                    "max/contacts and contacts",
+                    "max/contacts, contacts, zones, faces, wear and servo",
                     command, keyword);
   }
 }
@@ -230,6 +285,8 @@ SurfaceArguments LAMMPS_NS::readSurfaceArguments(LAMMPS *lmp, int narg, char **a
   } catch (const gpudem::Error &e) {
     lmp->error->all(FLERR, "{}: {}", command, e.what());
   }
+  if (a.faces.wear > 0.0 && a.faces.file.empty())
+    lmp->error->all(FLERR, "{}: wear is found at the samples of keyword faces, which is missing", command);
   if (a.wall.surfaceSide != gpudem::SurfaceSide::Both && !a.report.closed())
     lmp->error->all(FLERR,
                     "{}: side inside and outside need closed bodies, but '{}' has {} of {} bodies closed. Close it, or "

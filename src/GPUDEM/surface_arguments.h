@@ -5,6 +5,7 @@
 #define LMP_GPUDEM_SURFACE_ARGUMENTS_H
 
 #include "gpudem/scene.h"
+#include "gpudem/servo.h"
 #include "surface_motion.h"
 
 #include <optional>
@@ -14,6 +15,13 @@
 namespace LAMMPS_NS {
 class LAMMPS;
 
+/// Loads of every triangle, written as VTK files. No file: not wanted.
+struct FacesOutput {
+  int sampleEvery = 0, writeEvery = 0;  ///< steps
+  std::string file;                     ///< with a * for the step
+  double wear = 0.0;                    ///< coefficient of Archard (1/pressure)
+};
+
 struct SurfaceArguments {
   gpudem::WallSpec wall;  ///< law, mesh as placed, side, contacts per grain
   std::vector<SurfaceMove> moves;
@@ -21,6 +29,10 @@ struct SurfaceArguments {
   std::string file;
   gpudem::MeshReport report;
   bool recordContacts = false;
+  bool zones = false;  ///< sums for each zone of the file
+  FacesOutput faces;
+  std::optional<gpudem::Servo> servo;
+  int servoEvery = 0;  ///< steps between two updates
 };
 
 /// Reads arg[3] on. Ends the run with a message that names the word, and what would be right.

@@ -104,6 +104,8 @@ bigint VerletGpudem::nextEvent(bigint last) const
     if (fix->next_reneighbor > now) event = std::min(event, fix->next_reneighbor);
   for (const int period : plan.endOfStep) event = std::min(event, (now / period + 1) * period);
   for (const Fix *fix : plan.groups) event = std::min(event, (now / fix->nevery + 1) * fix->nevery);
+  for (const ResidentWall *wall : plan.walls)
+    for (const int period : wall->periods()) event = std::min(event, (now / period + 1) * period);
   return event;
 }
 

@@ -11,6 +11,8 @@
 #include "testing/model_scenes.h"
 #include "testing/tolerance.h"
 
+#include <set>
+
 using namespace gpudem;
 using namespace gpudem::testing;
 
@@ -97,6 +99,7 @@ TEST_P(SurfaceEngine, AMovingBodyPushesAsOnTheHost)
   const ModelScene m = closedBox({});
   const Box domain = boxOf(m), box = within(domain, 1.2);
   SceneSpec spec = withSurface(specOf(m, box), boxMesh(box, 3), SurfaceSide::Inside);
+  spec.walls[0].recordTouches = true;
   const Grains start = grainsIn(m, within(domain, 1.25), 60, 8);
   const std::array<double, 3> middle{0.0, 0.0, 4.25};
   const auto motionAt = [&](std::int64_t step) {
@@ -123,6 +126,16 @@ TEST_P(SurfaceEngine, AMovingBodyPushesAsOnTheHost)
     touching += static_cast<int>(device.contacts);
     EXPECT_EQ(sums.contacts, device.contacts);
     const double scale = largest(g.f);
+    ASSERT_EQ(device.touches.size(), static_cast<std::size_t>(device.contacts));
+    ASSERT_EQ(sums.touches.size(), device.touches.size());
+    const auto zone = zoneSums(*spec.walls[0].surface, device.touches, motionAt(event).displacement).at(0);
+    for (std::size_t d = 0; d < 3; ++d) {
+      EXPECT_TRUE(near(zone[d], sums.force[d], alongThePath(GetParam().precision, scale, 1.0, 50)));
+      EXPECT_TRUE(near(zone[3 + d], sums.torque[d], alongThePath(GetParam().precision, 5.0 * scale, 1.0, 50)));
+    }
+    std::set<std::pair<int, std::uint32_t>> onHost;
+    for (const SurfaceTouch &t : sums.touches) onHost.emplace(t.tag, t.triangle);
+    for (const SurfaceTouch &t : device.touches) EXPECT_EQ(onHost.count({t.tag, t.triangle}), 1u);
     for (std::size_t d = 0; d < 3; ++d) {
       EXPECT_TRUE(near(device.force[d], sums.force[d], alongThePath(GetParam().precision, scale, 1.0, 50)));
       EXPECT_TRUE(near(device.torque[d], sums.torque[d], alongThePath(GetParam().precision, 5.0 * scale, 1.0, 50)));

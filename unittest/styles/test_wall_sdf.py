@@ -13,7 +13,7 @@ import scenes
 import surfaces
 from compare import _say, compare_dumps
 from lammps import GPUDEM, StylesTest, make_tests
-from tolerance import DOUBLE, DRUM_FACETS, MIXED, ROLLING_MIXED, ROUND_OFF, WALL_SUMS, WALL_WEIGHT
+from tolerance import DOUBLE, DRUM_FACETS, MIXED, ROLLING_MIXED, SERVO, WALL_SUMS, WALL_WEIGHT
 
 NVE = "fix move all nve/sphere\n"
 DOWN = "fix down all gravity 10.0 vector 1.0 2.0 -9.0\n"
@@ -218,6 +218,97 @@ class Sums(SurfaceTest):
             self.assertLess(error, WALL_WEIGHT[mode])
 
 
+def read_vtk(text):
+    """Points, triangles, and the data of the triangles by name."""
+    words = text.split()
+    def numbers(name, count, skip):
+        at = words.index(name) + skip
+        return np.array(words[at:at + count], dtype=float)
+    n = int(words[words.index("POINTS") + 1])
+    m = int(words[words.index("POLYGONS") + 1])
+    data = {name: numbers(name, m, 5) for name in ("pressure", "contacts", "wear", "zone")}
+    data["shear_stress"] = numbers("shear_stress", 3 * m, 2).reshape(-1, 3)
+    return numbers("POINTS", 3 * n, 3).reshape(-1, 3), numbers("POLYGONS", 4 * m, 3).reshape(-1, 4)[:, 1:].astype(int), data
+
+
+class Faces(SurfaceTest):
+    """Sums for zones, and pressure, shear stress and wear of triangles."""
+    law = "hooke 2.0e4 NULL 200.0 20.0 0.5 1"
+
+    def test_zones(self):
+        """A grain on each of two plates: weights by zone; the sum of zones is the vector."""
+        plates = (surfaces.ascii_stl(surfaces.sheet((-4, -4, 0), (3, 0, 0), (0, 3, 0), 2), "left") +
+                  surfaces.ascii_stl(surfaces.sheet((1, 1, 0.5), (3, 0, 0), (0, 3, 0), 2), "right"))
+        data = ("cloud.data", single([(-3, -3, 0.499), (2.5, 2.5, 0.999)]))
+        columns = [f"f_w[{z}][{k}]" for z in (1, 2) for k in range(1, 8)]
+        text = scenes.scene(NVE + "fix down all gravity 10.0 vector 0 0 -1\n"
+                            f"fix w all wall/gran/sdf {self.law} surface s.stl zones\n", boundary="f f f", steps=20000,
+                            every=20000, thermo="step " + " ".join(columns + [f"f_w[{k}]" for k in range(1, 9)]))
+        weight = np.pi / 6.0 * 2.0 * 10.0
+        for mode in self.modes:
+            row = self.run_mode(mode, text, [data, ("s.stl", plates)]).thermo()[0][1][-1][1:]
+            zones, whole = row[:14].reshape(2, 7), row[14:]
+            self.assertTrue(np.allclose(zones[:, 2], -weight, rtol=WALL_WEIGHT[mode], atol=0), mode)
+            self.assertTrue((zones[:, 6] == 1).all())
+            # torque about the origin: x cross (0 0 -m g)
+            for zone, (x, y) in zip(zones, ((-3, -3), (2.5, 2.5))):
+                self.assertTrue(np.allclose(zone[3:5], (-y * weight, x * weight), rtol=10 * WALL_WEIGHT[mode], atol=0))
+            self.assertTrue(np.allclose(zones[:, :6].sum(0), whole[:6], rtol=WALL_SUMS[mode] * 10,
+                                        atol=weight * WALL_SUMS[mode] * 10))
+
+    def test_pressure_and_wear(self):
+        """A grain at rest on a belt that runs below it at speed 2: its weight, mu m g of shear, k m g 2 t of wear."""
+        belt = surfaces.sheet((-4, -4, 0), (8, 0, 0), (0, 8, 0), 8)
+        data = ("cloud.data", single((0.3, 0.2, 0.5 - np.pi / 3.0 * 10 / 2e4)))
+        hold = "fix hold all setforce 0.0 0.0 NULL\nvelocity all set 0 0 0\n"
+        text = scenes.scene("fix move all nve\nfix down all gravity 10.0 vector 0 0 -1\n"
+                            f"fix w all wall/gran/sdf {self.law} surface s.stl move linear 0 2.0 0 "
+                            "faces 10 1000 faces.*.vtk wear 1.0e-3\n" + hold, boundary="f f f", steps=2000, every=2000)
+        weight = np.pi / 6.0 * 2.0 * 10.0
+        for mode in self.modes:
+            run = self.run_mode(mode, text, [data, ("s.stl", surfaces.binary_stl(belt))])
+            for step in (1000, 2000):
+                x, triangles, d = read_vtk(run.path(f"faces.{step}.vtk").read_text())
+                area = 0.5 * np.linalg.norm(np.cross(x[triangles[:, 1]] - x[triangles[:, 0]],
+                                                     x[triangles[:, 2]] - x[triangles[:, 0]]), axis=1)
+                worn = 1.0e-3 * weight * 2.0 * step * 1e-4
+                for name, got, expected in (("pressure", (d["pressure"] * area).sum(), weight),
+                                            ("shear", (d["shear_stress"][:, 1] * area).sum(), -0.5 * weight),
+                                            ("wear", (d["wear"] * area).sum(), worn),
+                                            ("contacts", d["contacts"].sum(), 1.0),
+                                            ("belt", x[:, 1].min(), -4.0 + 2.0 * step * 1e-4)):
+                    self.assertLess(abs(got - expected), WALL_SUMS["mixed"] * 10 * abs(expected), (mode, step, name))
+
+
+class Servo(SurfaceTest):
+    def test_lid_on_a_spring(self):
+        """A lid pressed on a grain with force 30: overlaps on both sides carry it, and the lid stands still."""
+        kn = 2.0e4
+        data = ("cloud.data", single((0.1, 0.2, 0.5)))
+        law = f"hooke {kn} NULL 400.0 20.0 0.5 1"
+        text = scenes.scene(NVE + f"fix floor all wall/gran {law} zplane 0 NULL\n"
+                            f"fix w all wall/gran/sdf {law} surface s.stl servo force 0 0 -1 30.0 0.5 5\n",
+                            boundary="f f f", steps=12000, every=12000, thermo="step f_w[3] f_w[12] f_w[13]")
+        lid = surfaces.binary_stl(surfaces.sheet((-2, -2, 1.0625), (4, 0, 0), (0, 4, 0), 2))
+        for mode in self.modes:
+            row = self.run_mode(mode, text, [data, ("s.stl", lid)]).thermo()[0][1][-1]
+            self.assertLess(abs(row[1] - 30.0), 30.0 * SERVO, mode)
+            self.assertLess(abs(row[2] - (0.0625 + 2 * 30.0 / kn)), SERVO * 0.1, mode)
+            self.assertLess(abs(row[3]), SERVO, mode)
+
+    def test_torque_on_a_lever(self):
+        """A vertical plate turned by a torque of 6 against a grain fixed at a distance of 2: force 3."""
+        data = ("cloud.data", single((2.0, 0.53125, 0.0)))
+        law = "hooke 2.0e4 NULL 0.0 0.0 0.0 0"
+        text = scenes.scene(f"fix w all wall/gran/sdf {law} surface s.stl servo torque 0 0 0 0 0 1 6.0 0.05 2\n",
+                            boundary="f f f", steps=12000, every=12000, thermo="step f_w[6] f_w[12]")
+        plate = surfaces.binary_stl(surfaces.sheet((0, 0, -2), (4, 0, 0), (0, 0, 4), 2))
+        for mode in self.modes:
+            row = self.run_mode(mode, text, [data, ("s.stl", plate)]).thermo()[0][1][-1]
+            self.assertLess(abs(row[1] + 6.0), 6.0 * SERVO, mode)
+            self.assertGreater(row[2], 0.01)
+
+
 def velocity_of_reference(t):
     """Body displaced by (1 2 3) t, then turned about the axis through (0.5 0 0); reference (0.5 0 0) of the body."""
     axis, point, rate = np.array([0, 0.6, 0.8]), np.array([0.5, 0, 0]), 2 * np.pi / 7.0
@@ -338,6 +429,10 @@ class Mistakes(SurfaceTest):
         self.fails(f"{HISTORY} surface s.stl max/contacts 99", "max/contacts is 99", "1 to 16")
         self.fails(f"{HISTORY} surface s.stl move variable NULL NULL v_no NULL NULL NULL", "variable no does not exist")
         self.fails("granular hertz 1e5 1.0 surface s.stl", "tangential")
+        self.fails(f"{HISTORY} surface s.stl faces 10 15 f.vtk", "every 15 steps", "no multiple of the 10")
+        self.fails(f"{HISTORY} surface s.stl wear 1e-3", "keyword faces", "missing")
+        self.fails(f"{HISTORY} surface s.stl servo speed 0 0 1 1 1 1", "'speed'", "force or torque")
+        self.fails(f"{HISTORY} surface s.stl servo force 0 0 1 0 1 1", "target 0 needs a gain")
 
     def test_files(self):
         self.fails(f"{HISTORY} surface none.stl", "none.stl")

@@ -100,5 +100,7 @@ WALL_WEIGHT = {"host": 1e-9, "double": 1e-9, "mixed": 1e-6}
 WALL_SUMS = {"host": 1e-12, "double": 1e-12, "mixed": 1e-6}
 # A grain on a plane of facets against a plane, mixed: 2e4 steps in single precision, a tenth of a turn at most.
 ROLLING_MIXED = 1e-4
+# A servo at rest: what a single-precision overlap of 1e-3 leaves, and the tail of its approach.
+SERVO = 1e-4
 # A drum of facets against a round one (position, diameters): the sagitta, of second order in the facet's length.
 DRUM_FACETS = 0.02

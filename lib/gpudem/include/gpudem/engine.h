@@ -6,6 +6,7 @@
 #include "gpudem/body_motion.h"
 #include "gpudem/errors.h"
 #include "gpudem/scene.h"
+#include "gpudem/surface_faces.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +68,7 @@ struct WallSums {
   Array3 force{};             ///< on the wall
   Array3 torque{};            ///< on the wall, about the body's origin at its place
   std::int64_t contacts = 0;  ///< that push or pull
+  std::vector<SurfaceTouch> touches;  ///< each of them, if the wall records touches
 };
 
 /// Values of the current step that a scene with moving parts changes.

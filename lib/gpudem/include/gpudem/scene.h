@@ -96,6 +96,7 @@ struct WallSpec {
   int mostContacts = 1;            ///< Region, Surface: contacts that one grain may have at a time
   std::shared_ptr<const SurfaceMesh> surface;    ///< Surface: cleaned, in the frame of the body
   SurfaceSide surfaceSide = SurfaceSide::Both;  ///< Surface: where the grains are
+  bool recordTouches = false;                   ///< Surface: hand out every contact at events
 };
 
 enum class ForceTermKind { Gravity, Viscous, SetForce, Freeze, Enforce2d, Wall, RegionWall };

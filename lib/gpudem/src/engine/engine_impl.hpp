@@ -75,6 +75,13 @@ class EngineImpl final : public Engine {
   template <class T>
   using Array = typename Exec::template Array<T>;
 
+  /// Contacts of the last event with a wall that records touches.
+  struct Touches {
+    Array<std::uint32_t> at{"places of touches"};  ///< [n + 1] first of each grain
+    Array<SurfaceTouch> room{"room for touches"};
+    std::uint64_t total = 0;  ///< places in \c room
+  };
+
   /// A wall of triangles, and what is known of its place. Empty for other walls.
   struct SurfaceWall {
     std::shared_ptr<const SurfaceMesh> mesh;
@@ -85,6 +92,7 @@ class EngineImpl final : public Engine {
     Vec3<double> lo{}, hi{};  ///< box of the mesh in the frame of the body (distance)
     bool marked = false;      ///< the grains near it are known
     BodyPose markedAt{};      ///< and were found here
+    Touches touches;
   };
 
   /// Positions \p pos, whose lower bits in mixed precision belong to the motion \p mot.
@@ -124,6 +132,8 @@ class EngineImpl final : public Engine {
   SurfaceStep<P> surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
   void markNearSurfaces(const StepView<P> &v, const StepInputs &in);
   void sumSurfaces(const StepView<P> &v, const StepInputs &in);
+  void makeRoomForTouches(std::size_t w, SurfaceStep<P> &step);
+  void collectTouches(std::size_t w);
   RegionStep<P> regionStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
   void markNearRegions();
   void requireRows(const char *what) const;

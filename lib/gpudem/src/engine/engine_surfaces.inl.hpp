@@ -112,7 +112,41 @@ SurfaceStep<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_
     if (term.kind == ForceTermKind::Enforce2d) r.flatRole |= roles_.of(term.groupMask);
   }
   r.load = regionLoad_[w].data();
+  if (spec.recordTouches && v.sequence == 0) makeRoomForTouches(w, r);
   return r;
+}
+
+/// Places for all contacts that grains near the surface may have.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::makeRoomForTouches(std::size_t w, SurfaceStep<P> &step)
+{
+  Touches &t = surfaces_[w].touches;
+  t.at.reserve(static_cast<std::size_t>(count_) + 1);
+  uintScratch_.reserve(static_cast<std::size_t>(count_) + 1);
+  exec_.forEach(count_, CountRoomForTouches{anchor_.data(), static_cast<std::uint32_t>(step.mostContacts),
+                                            uintScratch_.data()});
+  t.total = exec_.exclusiveScan(uintScratch_.data(), t.at.data(), count_);
+  t.room.reserve(static_cast<std::size_t>(t.total) + 1);
+  exec_.fill(t.room.data(), static_cast<std::size_t>(t.total), 0xff);  // noTriangle
+  step.touchAt = t.at.data();
+  step.touch = t.room.data();
+}
+
+/// The contacts that were there, in the order of the grains on the device.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::collectTouches(std::size_t w)
+{
+  Touches &t = surfaces_[w].touches;
+  Array<std::uint32_t> to("places of touches");
+  Array<SurfaceTouch> packed("touches");
+  to.reserve(static_cast<std::size_t>(count_) + 1);
+  exec_.forEach(count_, CountTouches{t.at.data(), t.room.data(), uintScratch_.data()});
+  const auto total = static_cast<std::size_t>(exec_.exclusiveScan(uintScratch_.data(), to.data(), count_));
+  packed.reserve(total + 1);
+  exec_.forEach(count_, PackTouches{t.at.data(), to.data(), t.room.data(), tag_.data(), packed.data()});
+  std::vector<SurfaceTouch> &out = observables_.wall[w].touches;
+  out.resize(total);
+  if (total) exec_.copyOut(out.data(), packed.data(), total);
 }
 
 /// What the grains did to each surface in the event that was just evaluated.
@@ -142,6 +176,7 @@ void EngineImpl<Exec, P>::sumSurfaces(const StepView<P> &v, const StepInputs &in
       sums.torque[d] = s.value[3 + d];
     }
     sums.contacts = static_cast<std::int64_t>(s.value[6] + 0.5);
+    if (scene_.walls[w].recordTouches) collectTouches(w);
   }
 }
 

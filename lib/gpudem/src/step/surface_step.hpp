@@ -30,6 +30,8 @@ struct SurfaceStep {
   int mostContacts;
   SurfaceAt at;
   Vec3<Real> *load;  ///< [n] forces, [n] torques
+  const std::uint32_t *touchAt;  ///< [n] first place of a grain in \c touch
+  SurfaceTouch *touch;           ///< mostContacts for every near grain, or null
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
@@ -42,12 +44,54 @@ struct SurfaceStep {
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
       const SurfaceSlots<Real> slots{wall.history + static_cast<std::size_t>(wall.historySize) * i, mostContacts,
                                      wall.historySize / mostContacts};
-      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance);
+      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance, touch ? touch + touchAt[i] : nullptr);
       if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&status->crowded, i);
       if (l.trouble == SurfaceTrouble::Crossed) atomicLower(&status->crossed, i);
     }
     load[i] = l.force;
     load[count + i] = l.torque;
+  }
+};
+
+/// How many touches a grain may have.
+struct CountRoomForTouches {
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = 1;
+  const std::uint32_t *anchor;
+  std::uint32_t mostContacts;
+  std::uint32_t *room;  ///< [n]
+  GPUDEM_HD void operator()(std::uint32_t i) const { room[i] = anchor[i] & nearRegionBit ? mostContacts : 0u; }
+};
+
+/// How many it has. Unused places have no triangle.
+struct CountTouches {
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = 1;
+  const std::uint32_t *at;
+  const SurfaceTouch *touch;
+  std::uint32_t *used;  ///< [n]
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    used[i] = 0;
+    for (std::uint32_t k = at[i]; k < at[i + 1]; ++k) used[i] += touch[k].triangle != noTriangle;
+  }
+};
+
+struct PackTouches {
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = 1;
+  const std::uint32_t *from, *to;
+  const SurfaceTouch *touch;
+  const std::int32_t *tag;
+  SurfaceTouch *packed;
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    std::uint32_t at = to[i];
+    for (std::uint32_t k = from[i]; k < from[i + 1]; ++k) {
+      if (touch[k].triangle == noTriangle) continue;
+      packed[at] = touch[k];
+      packed[at++].tag = tag[i];
+    }
   }
 };
 

@@ -86,6 +86,7 @@ WallSums SurfaceWall::apply(const HostParticles &p, const BodyMotion &motion, do
     wall.contacts = parts_->columns.data();
   }
   WallSums sums;
+  std::vector<SurfaceTouch> touch(spec.recordTouches ? static_cast<std::size_t>(spec.mostContacts) : 0);
   for (std::size_t i = 0; i < p.count; ++i) {
     const SurfaceSlots<double> slots{kept + static_cast<std::size_t>(wall.historySize) * i, spec.mostContacts,
                                      wall.historySize / spec.mostContacts};
@@ -94,10 +95,16 @@ WallSums SurfaceWall::apply(const HostParticles &p, const BodyMotion &motion, do
       continue;
     }
     const Vec3<double> x = vectorAt(p.position, i), v = vectorAt(p.velocity, i), w = vectorAt(p.spin, i);
+    for (SurfaceTouch &t : touch) t.triangle = noTriangle;
     const Motion<double> m{v.x, v.y, v.z, p.mass[i], w.x, w.y, w.z, 0, 0};
     const SurfaceLoad<double> load = surfaceLoad(wall, at, slots, static_cast<std::uint32_t>(i),
                                                  static_cast<std::uint32_t>(p.count), x, p.radius[i], m, timestep,
-                                                 advance);
+                                                 advance, spec.recordTouches ? touch.data() : nullptr);
+    for (SurfaceTouch &t : touch) {
+      if (t.triangle == noTriangle) continue;
+      t.tag = p.tag[i];
+      sums.touches.push_back(t);
+    }
     complain(load.trouble, p.tag[i]);
     addAt(p.force, i, load.force);
     addAt(p.torque, i, load.torque);

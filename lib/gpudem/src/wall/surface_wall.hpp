@@ -136,11 +136,29 @@ GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const
   surfaceContacts(s.surface, s.pose.toBody(x), radius + gap, c);
 }
 
+/// One contact in \p touch.
+template <class Real>
+GPUDEM_HD void recordTouch(const SurfaceAt &s, const SurfaceContact &contact, const Vec3<double> &normal,
+                           const Vec3<double> &at, const Contact<Real> &in, const Vec3<Real> &force, SurfaceTouch &touch)
+{
+  const Vec3<Real> n = normal.template as<Real>();
+  const Vec3<Real> sliding = in.relativeVelocity - n * dot(n, in.relativeVelocity) - cross(in.surfaceSpin, n);
+  touch.triangle = s.surface.triangle[contact.triangle].original;
+  touch.slip = static_cast<double>(squareRoot(dot(sliding, sliding)));
+  touch.push = static_cast<double>(dot(n, force));
+  for (int d = 0; d < 3; ++d) {
+    touch.place[d] = at[d];
+    touch.force[d] = -static_cast<double>(force[d]);
+  }
+}
+
 /// Force and torque of all contacts; what they keep and the recorded contact (the deepest) are updated.
+/// \param touch [mostContacts] all contacts, those without force left as they are; null if not wanted
 template <class Real>
 GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
                                         std::uint32_t i, std::uint32_t count, const Vec3<double> &x, double radius,
-                                        const Motion<Real> &m, Real dt, bool advance)
+                                        const Motion<Real> &m, Real dt, bool advance,
+                                        SurfaceTouch *touch = nullptr)
 {
   const Vec3<Real> none{Real(0), Real(0), Real(0)};
   SurfaceLoad<Real> load{none, none, SurfaceTrouble::None};
@@ -167,6 +185,7 @@ GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const Surfac
     load.force += f.force * weight;
     load.torque += (f.moment - f.couple * (static_cast<Real>(radius) - f.shorter)) * weight;
     if (wall.contacts) recordContact(wall, i, count, f.force * weight, at, radius);
+    if (touch) recordTouch(s, contact, normal, at, in, f.force * weight, touch[k]);
   }
   return load;
 }

@@ -20,6 +20,7 @@ constexpr std::uint32_t noTriangle = 0xffffffffu;
 struct SurfaceTouch {
   double place[3];         ///< on the surface (distance)
   double force[3];         ///< on the surface, with the weight of the contact (force)
+  double couple[3];        ///< torque on the surface about \c place: rolling, twisting, and the arm R of LAMMPS' walls
   double push;             ///< normal component, positive if the grain pushes (force)
   double slip;             ///< speed of the grain's surface along the wall's (distance/time)
   std::uint32_t triangle;  ///< of SurfaceMesh, or noTriangle

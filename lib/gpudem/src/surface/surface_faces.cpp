@@ -64,7 +64,7 @@ std::vector<std::array<double, 7>> zoneSums(const SurfaceMesh &mesh, const std::
   std::vector<std::array<double, 7>> sums(mesh.zoneName.empty() ? 1 : mesh.zoneName.size(), std::array<double, 7>{});
   for (const SurfaceTouch &t : touches) {
     auto &zone = sums[mesh.zone.empty() ? 0 : mesh.zone[t.triangle]];
-    const Vec3<double> force = vec(t.force), torque = cross(vec(t.place) - vec(origin), force);
+    const Vec3<double> force = vec(t.force), torque = vec(t.couple) + cross(vec(t.place) - vec(origin), force);
     for (int d = 0; d < 3; ++d) {
       zone[static_cast<std::size_t>(d)] += force[d];
       zone[static_cast<std::size_t>(3 + d)] += torque[d];

@@ -139,16 +139,20 @@ GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const
 /// One contact in \p touch.
 template <class Real>
 GPUDEM_HD void recordTouch(const SurfaceAt &s, const SurfaceContact &contact, const Vec3<double> &normal,
-                           const Vec3<double> &at, const Contact<Real> &in, const Vec3<Real> &force, SurfaceTouch &touch)
+                           const Vec3<double> &at, const Contact<Real> &in, const Vec3<Real> &force,
+                           const Vec3<Real> &torque, SurfaceTouch &touch)
 {
   const Vec3<Real> n = normal.template as<Real>();
   const Vec3<Real> sliding = in.relativeVelocity - n * dot(n, in.relativeVelocity) - cross(in.surfaceSpin, n);
   touch.triangle = s.surface.triangle[contact.triangle].original;
   touch.slip = static_cast<double>(squareRoot(dot(sliding, sliding)));
   touch.push = static_cast<double>(dot(n, force));
+  const Vec3<double> couple = torque.template as<double>() +
+                              cross(normal * contact.distance, force.template as<double>());
   for (int d = 0; d < 3; ++d) {
     touch.place[d] = at[d];
     touch.force[d] = -static_cast<double>(force[d]);
+    touch.couple[d] = -couple[d];
   }
 }
 
@@ -182,10 +186,11 @@ GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const Surfac
     const ContactForce<Real> f =
         wall.model ? modelWallForce(wall, in, kept, dt, advance) : classicWallForce(wall, in, kept, dt, advance);
     const Real weight = static_cast<Real>(contact.weight);
+    const Vec3<Real> torque = (f.moment - f.couple * (static_cast<Real>(radius) - f.shorter)) * weight;
     load.force += f.force * weight;
-    load.torque += (f.moment - f.couple * (static_cast<Real>(radius) - f.shorter)) * weight;
+    load.torque += torque;
     if (wall.contacts) recordContact(wall, i, count, f.force * weight, at, radius);
-    if (touch) recordTouch(s, contact, normal, at, in, f.force * weight, touch[k]);
+    if (touch) recordTouch(s, contact, normal, at, in, f.force * weight, torque, touch[k]);
   }
   return load;
 }

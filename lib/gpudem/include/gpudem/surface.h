@@ -25,11 +25,13 @@ struct SurfaceMesh {
 };
 
 /// Triangles of an STL (ASCII or binary), OBJ or PLY (ASCII or binary) file, told apart by content and file name.
+/// Level sets of a .vdb file (OpenVDB): the triangles of their zero, one zone for each grid.
 /// Polygons are cut into triangles. The reader keeps coordinates in single precision: six to seven digits.
 /// \throws Error if the file cannot be read or holds no triangle, or if the library was built without the reader
 SurfaceMesh readSurface(const std::string &path);
-/// Was the library built with the reader?
+/// Was the library built with the reader of triangles, of level sets?
 bool canReadSurfaces();
+bool canReadLevelSets();
 
 enum class MeshDefect {
   NotFinite,     ///< a coordinate that is not a number; the triangle was removed

@@ -3,6 +3,8 @@
 /// \file Surface files through assimp, which knows the formats and their dialects.
 #include "gpudem/surface.h"
 
+#include "surface/read_level_set.hpp"
+
 #ifdef GPUDEM_HAVE_ASSIMP
 #include <assimp/Importer.hpp>
 #include <assimp/mesh.h>
@@ -40,7 +42,7 @@ bool canReadSurfaces()
   return true;
 }
 
-SurfaceMesh readSurface(const std::string &path)
+static SurfaceMesh readTriangles(const std::string &path)
 {
   Assimp::Importer importer;
   // nothing but triangulation: welding is ours, with a distance that we state
@@ -59,11 +61,18 @@ bool canReadSurfaces()
   return false;
 }
 
-SurfaceMesh readSurface(const std::string &path)
+static SurfaceMesh readTriangles(const std::string &path)
 {
   throw Error("reading the surface '" + path + "': GPUDEM was built without assimp (Debian: libassimp-dev)");
 }
 
 #endif
+
+SurfaceMesh readSurface(const std::string &path)
+{
+  const std::string end = ".vdb";
+  if (path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0) return readLevelSet(path);
+  return readTriangles(path);
+}
 
 }  // namespace gpudem

@@ -182,6 +182,7 @@ void Surface::Arrays::pack(Packed &to) const
   to.append(v.edgeNormal, edgeNormal);
   to.append(v.cellKey, cells.key);
   to.append(v.cellEntry, cells.entry);
+  to.append(v.cellNodes, cells.nodes);
   v.cellMask = static_cast<std::uint32_t>(cells.key.size() - 1);
   v.triangles = static_cast<std::uint32_t>(triangle.size());
   v.vertices = static_cast<std::uint32_t>(vertex.size());
@@ -212,6 +213,7 @@ SurfaceView Surface::viewAt(const void *copy) const
   rebase(v.edgeNormal, base);
   rebase(v.cellKey, base);
   rebase(v.cellEntry, base);
+  rebase(v.cellNodes, base);
   return v;
 }
 

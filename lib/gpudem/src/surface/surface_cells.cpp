@@ -12,6 +12,8 @@ namespace gpudem {
 
 namespace {
 
+constexpr std::size_t mostNodes = 12;  ///< of the tree for a cell: more would cost memory and save little
+
 /// Halves the box of the mesh until cells are left, handing on the triangles that each half may meet.
 class Finder {
  public:
@@ -32,9 +34,10 @@ class Finder {
       if (mayMeet(block, mesh_.triangle[tree_.order[k]])) meets.push_back(k);
     if (meets.empty()) return;
     if (block.size == 1) {
-      // in the order of the tree, so first and last are the outermost
-      found_.push_back({cellKey(block.at[0], block.at[1], block.at[2]),
-                        nodeHolding(tree_, meets.front(), meets.back())});
+      const std::vector<std::uint32_t> nodes = nodesHolding(tree_, meets, mostNodes);
+      found_.push_back({cellKey(block.at[0], block.at[1], block.at[2]), static_cast<std::uint32_t>(cells_.nodes.size())});
+      cells_.nodes.push_back(static_cast<std::uint32_t>(nodes.size()));
+      cells_.nodes.insert(cells_.nodes.end(), nodes.begin(), nodes.end());
       return;
     }
     const std::uint32_t half = block.size / 2;

@@ -12,7 +12,8 @@ namespace gpudem {
 
 struct SurfaceCells {
   std::vector<std::uint64_t> key;    ///< [a power of two] open addressing
-  std::vector<std::uint32_t> entry;  ///< [the same]
+  std::vector<std::uint32_t> entry;  ///< [the same] into \c nodes
+  std::vector<std::uint32_t> nodes;  ///< for each cell: how many nodes of the tree, and these
   std::array<double, 3> origin;      ///< (distance)
   double size;                       ///< (distance)
 };

@@ -29,8 +29,8 @@ constexpr std::uint64_t emptyCell = ~std::uint64_t{0};
 constexpr std::uint32_t noNode = ~std::uint32_t{0};
 constexpr double maxCells = 2097151.0;  // per direction
 
-/// Node that holds all triangles within the surface's reach of \p x, or noNode.
-GPUDEM_HD std::uint32_t entryNode(const SurfaceView &s, const Vec3<double> &x)
+/// Place in cellNodes of the nodes that hold all triangles within the surface's reach of \p x, or noNode.
+GPUDEM_HD std::uint32_t entryNodes(const SurfaceView &s, const Vec3<double> &x)
 {
   const Vec3<double> at = (x - s.origin) * s.inverseCell;
   if (!(at.x >= 0.0 && at.y >= 0.0 && at.z >= 0.0 && at.x < maxCells && at.y < maxCells && at.z < maxCells))
@@ -151,25 +151,28 @@ class MinimumList {
 template <class Visit>
 GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double reach, const Visit &visit)
 {
-  const std::uint32_t entry = entryNode(s, x);
+  const std::uint32_t entry = entryNodes(s, x);
   if (entry == noNode) return;
   const Vec3<float> coarse = x.as<float>();
   // rounding of the coordinate: the boxes are rounded outward by as much
   const float reach2 = static_cast<float>(reach * reach) * 1.00001f;
-  const std::uint32_t end = s.node[entry].skip;
-  for (std::uint32_t n = entry; n < end;) {
-    const TreeNode &node = s.node[n];
-    if (!withinReach(node, coarse, reach2)) {
-      n = node.skip;
-      continue;
-    }
-    ++n;
-    for (std::uint32_t k = node.leaf >> 3, last = k + (node.leaf & 7u); k < last; ++k) {
-      const SurfaceTriangle &t = s.triangle[k];
-      const TrianglePoint p =
-          nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
-      const double distance2 = dot(p.branch, p.branch);
-      if (distance2 < reach * reach && !visit(k, p, distance2)) return;
+  const std::uint32_t *roots = s.cellNodes + entry;
+  for (std::uint32_t r = 1; r <= roots[0]; ++r) {
+    const std::uint32_t end = s.node[roots[r]].skip;
+    for (std::uint32_t n = roots[r]; n < end;) {
+      const TreeNode &node = s.node[n];
+      if (!withinReach(node, coarse, reach2)) {
+        n = node.skip;
+        continue;
+      }
+      ++n;
+      for (std::uint32_t k = node.leaf >> 3, last = k + (node.leaf & 7u); k < last; ++k) {
+        const SurfaceTriangle &t = s.triangle[k];
+        const TrianglePoint p =
+            nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
+        const double distance2 = dot(p.branch, p.branch);
+        if (distance2 < reach * reach && !visit(k, p, distance2)) return;
+      }
     }
   }
 }

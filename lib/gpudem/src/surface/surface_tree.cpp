@@ -99,23 +99,42 @@ SurfaceTree buildTree(const SurfaceMesh &mesh, double margin)
   return std::move(Builder(mesh, margin).tree_);
 }
 
-std::uint32_t nodeHolding(const SurfaceTree &tree, std::uint32_t first, std::uint32_t last)
+namespace {
+
+/// A node, the places begin to end of its triangles, and which of the wanted ones these are.
+struct Holder {
+  std::uint32_t node, begin, end;
+  const std::uint32_t *first, *last;
+  bool splits(const SurfaceTree &tree) const { return tree.node[node].leaf == 0 && unwanted() > 0; }
+  std::ptrdiff_t unwanted() const { return static_cast<std::ptrdiff_t>(end - begin) - (last - first); }
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> nodesHolding(const SurfaceTree &tree, const std::vector<std::uint32_t> &wanted,
+                                        std::size_t most)
 {
-  std::uint32_t at = 0;
-  std::uint32_t begin = 0, end = static_cast<std::uint32_t>(tree.order.size());
-  while (tree.node[at].leaf == 0) {  // the same halves as in split()
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    if (last < middle) {
-      at = at + 1;
-      end = middle;
-    } else if (first >= middle) {
-      at = tree.node[at + 1].skip;
-      begin = middle;
-    } else {
-      break;
-    }
+  std::vector<Holder> holders{{0, 0, static_cast<std::uint32_t>(tree.order.size()), wanted.data(),
+                               wanted.data() + wanted.size()}};
+  for (;;) {
+    // the node with the most to leave out
+    auto worst = holders.end();
+    for (auto h = holders.begin(); h != holders.end(); ++h)
+      if (h->splits(tree) && (worst == holders.end() || h->unwanted() > worst->unwanted())) worst = h;
+    if (worst == holders.end()) break;
+    const Holder h = *worst;
+    const std::uint32_t middle = h.begin + (h.end - h.begin) / 2;  // the same halves as in split()
+    const std::uint32_t *cut = std::lower_bound(h.first, h.last, middle);
+    const Holder low{h.node + 1, h.begin, middle, h.first, cut}, high{tree.node[h.node + 1].skip, middle, h.end, cut, h.last};
+    const bool both = low.first != low.last && high.first != high.last;
+    if (both && holders.size() == most) break;
+    *worst = low.first != low.last ? low : high;
+    if (both) holders.push_back(high);
   }
-  return at;
+  std::vector<std::uint32_t> nodes;
+  for (const Holder &h : holders) nodes.push_back(h.node);
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
 }
 
 }  // namespace gpudem

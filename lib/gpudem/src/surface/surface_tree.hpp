@@ -19,7 +19,9 @@ struct SurfaceTree {
 /// \param margin added to the boxes (distance)
 SurfaceTree buildTree(const SurfaceMesh &mesh, double margin);
 
-/// Deepest node that holds triangles \p first to \p last of the order.
-std::uint32_t nodeHolding(const SurfaceTree &tree, std::uint32_t first, std::uint32_t last);
+/// A few nodes, at most \p most, that hold all of \p wanted, places in the order, ascending and not empty, and little
+/// else.
+std::vector<std::uint32_t> nodesHolding(const SurfaceTree &tree, const std::vector<std::uint32_t> &wanted,
+                                        std::size_t most);
 
 }  // namespace gpudem

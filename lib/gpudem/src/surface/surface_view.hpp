@@ -40,7 +40,8 @@ struct SurfaceView {
   const Vec3<float> *vertexNormal;      ///< [vertices] angle-weighted; signed surfaces only, else null
   const Vec3<float> *edgeNormal;        ///< [3 * triangles] sum of the normals of the edge's triangles; likewise
   const std::uint64_t *cellKey;         ///< [cellMask + 1] hashed cells within reach of a triangle; ~0 is empty
-  const std::uint32_t *cellEntry;       ///< [cellMask + 1] the node that holds all triangles within reach of the cell
+  const std::uint32_t *cellEntry;       ///< [cellMask + 1] into \c cellNodes
+  const std::uint32_t *cellNodes;       ///< per cell: number of nodes that hold all triangles within its reach, the nodes
   std::uint32_t cellMask;               ///< size of the table - 1, a power of two - 1
   std::uint32_t triangles, vertices, nodes;
   Vec3<double> origin;                  ///< of the cells (distance)

@@ -4,6 +4,7 @@
 #include "gpudem/surface.h"
 
 #include "surface/mesh_edges.hpp"
+#include "surface/normal_cones.hpp"
 #include "surface/surface_cells.hpp"
 #include "surface/surface_tree.hpp"
 #include "surface/surface_view.hpp"
@@ -37,6 +38,7 @@ struct Surface::Arrays {
   std::vector<std::uint32_t> spokeStart, spoke, fan;
   std::vector<Vec3<float>> vertexNormal, edgeNormal;
   SurfaceTree tree;
+  std::vector<NormalCone> cone;
   SurfaceCells cells;
 
   void connect(const SurfaceMesh &mesh);
@@ -50,6 +52,8 @@ struct Surface::Arrays {
 
 namespace {
 
+constexpr std::uint32_t noNumber = 0xffffffffu;
+
 std::uint32_t opposite(const SurfaceMesh &mesh, const EdgeUse &u)
 {
   return mesh.triangle[u.triangle][(u.corner + 2) % 3];
@@ -59,6 +63,24 @@ Vec3<double> unit(const Vec3<double> &v)
 {
   const double length = std::sqrt(dot(v, v));
   return length > 0.0 ? v * (1.0 / length) : v;
+}
+
+/// The mesh with its vertices in the order in which the tree meets them: a leaf reads few lines of memory.
+SurfaceMesh inOrderOf(const SurfaceTree &tree, const SurfaceMesh &mesh)
+{
+  SurfaceMesh sorted;
+  sorted.triangle = mesh.triangle;
+  sorted.zone = mesh.zone;
+  std::vector<std::uint32_t> number(mesh.vertex.size(), noNumber);
+  for (const std::uint32_t t : tree.order)
+    for (std::uint32_t &v : sorted.triangle[t]) {
+      if (number[v] == noNumber) {
+        number[v] = static_cast<std::uint32_t>(sorted.vertex.size());
+        sorted.vertex.push_back(mesh.vertex[v]);
+      }
+      v = number[v];
+    }
+  return sorted;
 }
 
 /// Place of each triangle of the mesh in the order of the tree.
@@ -136,16 +158,18 @@ void Surface::Arrays::makeNormals(const SurfaceMesh &mesh)
   });
 }
 
-Surface::Surface(const SurfaceMesh &mesh, double reach, SurfaceSide side) : packed_(new Packed)
+Surface::Surface(const SurfaceMesh &given, double reach, SurfaceSide side) : packed_(new Packed)
 {
-  if (mesh.triangle.empty()) throw Error("building a surface: the mesh has no triangle");
+  if (given.triangle.empty()) throw Error("building a surface: the mesh has no triangle");
   if (!(reach > 0.0) || !std::isfinite(reach))
     throw Error("building a surface: the reach is " + std::to_string(reach) + ", must be above 0");
   Arrays a;
   double largest = 0.0;
-  for (const auto &p : mesh.vertex) largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  for (const auto &p : given.vertex) largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   // centres are rounded to float where they meet the boxes
-  a.tree = buildTree(mesh, 2.4e-7 * (largest + 2.0 * reach));
+  a.tree = buildTree(given, 2.4e-7 * (largest + 2.0 * reach));
+  const SurfaceMesh mesh = inOrderOf(a.tree, given);
+  a.cone = buildCones(mesh, a.tree);
   a.cells = buildCells(mesh, a.tree, reach);
   a.connect(mesh);
   if (side != SurfaceSide::Both) {
@@ -175,6 +199,7 @@ void Surface::Arrays::pack(Packed &to) const
   to.append(v.vertex, vertex);
   to.append(v.triangle, triangle);
   to.append(v.node, tree.node);
+  to.append(v.cone, cone);
   to.append(v.spokeStart, spokeStart);
   to.append(v.spoke, spoke);
   to.append(v.fan, fan);
@@ -206,6 +231,7 @@ SurfaceView Surface::viewAt(const void *copy) const
   rebase(v.vertex, base);
   rebase(v.triangle, base);
   rebase(v.node, base);
+  rebase(v.cone, base);
   rebase(v.spokeStart, base);
   rebase(v.spoke, base);
   rebase(v.fan, base);

@@ -57,6 +57,21 @@ GPUDEM_HD bool withinReach(const TreeNode &n, const Vec3<float> &x, float reach2
   return sum <= reach2;
 }
 
+/// May a node whose box passed withinReach() hold a minimum of the distance from \p x?
+GPUDEM_HD bool mayHoldMinimum(const NormalCone &cone, const TreeNode &n, const Vec3<float> &x)
+{
+  if (cone.cosine == allNormals) return true;
+  const Vec3<float> branch{x.x - 0.5f * (n.lo[0] + n.hi[0]), x.y - 0.5f * (n.lo[1] + n.hi[1]),
+                           x.z - 0.5f * (n.lo[2] + n.hi[2])};
+  const Vec3<float> size{n.hi[0] - n.lo[0], n.hi[1] - n.lo[1], n.hi[2] - n.lo[2]};
+  const float half2 = 0.25f * dot(size, size), away2 = dot(branch, branch) - half2;
+  if (away2 <= 0.0f) return true;
+  // angle of branch and axis <= half angle of the cone + that of the box seen from x, times |branch|
+  const float along = branch.x * cone.axis[0] + branch.y * cone.axis[1] + branch.z * cone.axis[2];
+  const float needed = cone.cosine * squareRoot(away2) - cone.sine * squareRoot(half2);
+  return absolute(along) >= needed * 0.9999f - 1e-5f * squareRoot(away2);
+}
+
 /// Does the neighbour's corner \p v lie farther than the point at \p branch from the centre, that is, does the distance
 /// not fall on the way there? The tolerance finds the foot on a flat edge, which rounding may put beyond both faces.
 GPUDEM_HD bool risesTowards(const Vec3<double> &v, const Vec3<double> &branch)
@@ -146,9 +161,11 @@ class MinimumList {
   SurfaceContacts &out_;
 };
 
+enum class Wanted { All, Minima };
+
 /// Calls visit(triangle number, nearest point, squared distance) for triangles within \p reach of \p x, until it
-/// returns false.
-template <class Visit>
+/// returns false; for Minima it may leave out triangles that hold no minimum of the distance.
+template <Wanted wanted = Wanted::All, class Visit>
 GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double reach, const Visit &visit)
 {
   const std::uint32_t entry = entryNodes(s, x);
@@ -161,7 +178,8 @@ GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double rea
     const std::uint32_t end = s.node[roots[r]].skip;
     for (std::uint32_t n = roots[r]; n < end;) {
       const TreeNode &node = s.node[n];
-      if (!withinReach(node, coarse, reach2)) {
+      if (!withinReach(node, coarse, reach2) ||
+          (wanted == Wanted::Minima && !mayHoldMinimum(s.cone[n], node, coarse))) {
         n = node.skip;
         continue;
       }
@@ -235,7 +253,7 @@ GPUDEM_HD bool isNear(const SurfaceView &s, const Vec3<double> &x, double reach)
 GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, double reach, SurfaceContacts &out)
 {
   MinimumList list(out);
-  visitNear(s, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+  visitNear<Wanted::Minima>(s, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
     const SurfaceTriangle &t = s.triangle[k];
     if (!isMinimum(s, t, p, x)) return true;
     SurfaceContact c;

@@ -18,6 +18,13 @@ struct alignas(16) TreeNode {
 };
 constexpr std::uint32_t leafTriangles = 4;
 
+/// Directions, or their opposites, of all normals at the triangles below a node (surface/normal_cones.hpp).
+struct NormalCone {
+  float axis[3];        ///< of unit length
+  float cosine, sine;   ///< of the half angle; cosine allNormals: any direction
+};
+constexpr float allNormals = -2.0f;
+
 /// Corners of a triangle and what lies across its edges.
 struct alignas(16) SurfaceTriangle {
   std::uint32_t corner[3];  ///< vertices
@@ -34,6 +41,7 @@ struct SurfaceView {
   const Vec3<double> *vertex;           ///< [vertices] (distance)
   const SurfaceTriangle *triangle;      ///< [triangles] in the order of the tree
   const TreeNode *node;                 ///< [nodes]
+  const NormalCone *cone;               ///< [nodes]
   const std::uint32_t *spokeStart;      ///< [vertices + 1] into \c spoke
   const std::uint32_t *spoke;           ///< [2 * edges] the vertices that share an edge with a vertex
   const std::uint32_t *fan;             ///< for each edge of more than two triangles: number, then opposite vertices

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <set>
+
 namespace gpudem::testing {
 
 namespace {
@@ -213,5 +216,43 @@ TEST(SurfaceContact, facettedTubeConverges)
 }
 
 }  // namespace
+
+/// What the normal cones pass over holds no minimum.
+TEST(SurfaceContact, ConesHideNoMinimum)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> even(-1.0, 1.0);
+  const double reach = 0.4;
+  std::size_t minima = 0, visited = 0, all = 0;
+  for (int shape = 0; shape < 4; ++shape) {
+    SurfaceMesh m = shape == 0 ? ball(1.0, 24) : shape == 1 ? tube(1.0, 2.0, 64, 20) : cube(1.5, 6);
+    if (shape == 3)  // rough
+      for (Point &p : m.vertex)
+        for (std::size_t d = 0; d < 3; ++d)
+          p[d] += 0.03 * std::sin(37.0 * p[0] + 5.0 * d) * std::cos(29.0 * p[1] - 41.0 * p[2]);
+    tilt(m);
+    cleanSurface(m);
+    const Surface surface(m, reach, SurfaceSide::Both);
+    const SurfaceView s = surface.view();
+    for (int n = 0; n < 4000; ++n) {
+      const Vec3<double> x = tilted({1.5 * even(random), 1.5 * even(random), 1.0 + 1.5 * even(random)});
+      std::set<std::uint32_t> expected, found;
+      visitNear(s, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double) {
+        ++all;
+        if (isMinimum(s, s.triangle[k], p, x)) expected.insert(k);
+        return true;
+      });
+      visitNear<Wanted::Minima>(s, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double) {
+        ++visited;
+        if (isMinimum(s, s.triangle[k], p, x)) found.insert(k);
+        return true;
+      });
+      EXPECT_EQ(found, expected);
+      minima += expected.size();
+    }
+  }
+  EXPECT_GT(minima, 4000u);
+  EXPECT_LT(visited, 3 * all / 4);
+}
 
 }  // namespace gpudem::testing

@@ -42,10 +42,10 @@ ResidentPair *residentPair(LAMMPS *lmp)
                                              : lmp->force->pair);
 }
 
-/// fix balance moves sub-domains, not particles or faces of the box: on one rank it has nothing to do.
+/// fix balance and balance/slice move sub-domains, not particles or faces of the box: on one rank they have nothing to do.
 bool balances(const Fix *fix)
 {
-  return strcmp(fix->style, "balance") == 0;
+  return strcmp(fix->style, "balance") == 0 || strcmp(fix->style, "balance/slice") == 0;
 }
 
 /// First obstacle to residency, empty if there is none.
@@ -121,7 +121,7 @@ void classify(LAMMPS *lmp, ResidentPlan &plan)
       continue;
     }
     if (balances(fix)) {
-      plan.skipped.push_back(fmt::format("fix {} (balance), on one rank", fix->id));
+      plan.skipped.push_back(fmt::format("fix {} ({}), on one rank", fix->id, fix->style));
       continue;
     }
     if (strcmp(fix->style, "GROUP") == 0) {

@@ -112,7 +112,7 @@ class HostSliceParticles : public SliceParticles {
   void begin(double unit) override;
   void count(int axis, const SliceBins &bins, double *weights) const override;
   void descend(const SliceLevel &level) override;
-  /// After descend() through all levels: the rank of each particle, [count].
+  /// [count] the part of the level last descended to: after balanceSlices() the rank of each particle.
   const std::vector<int> &group() const { return group_; }
 
  private:

@@ -94,8 +94,8 @@ void SliceBalancer::weigh(bool listIsCurrent)
     if (w.imbalance) w.imbalance->compute(weight_.data());
     for (int i = 0; i < nlocal; ++i)
       if (!(weight_[i] > 0.0) || !std::isfinite(weight_[i]))
-        error->one(FLERR, "{}: weight {} gives atom {} the weight {}; a weight must be a number above 0", who_, w.style,
-                   atom->tag[i], weight_[i]);
+        error->one(FLERR, "{}: weight {}{}{} gives atom {} the weight {}; a weight must be a number above 0", who_, w.style,
+                   w.name.empty() ? "" : " ", w.name, atom->tag[i], weight_[i]);
   }
 }
 

@@ -10,11 +10,12 @@
 #include "imbalance_neigh.h"
 #include "imbalance_store.h"
 #include "imbalance_time.h"
-#include "imbalance_var.h"
 #include "input.h"
 #include "neigh_list.h"
 #include "pair.h"
 #include "variable.h"
+
+#include <algorithm>
 
 using namespace LAMMPS_NS;
 
@@ -53,6 +54,25 @@ class Words : protected Pointers {
   char **arg_;
 };
 
+/// As LAMMPS' ImbalanceVar, but leaves it to the balancer to say which atom has a wrong weight.
+class VariableWeight : public Imbalance {
+ public:
+  VariableWeight(LAMMPS *lmp, const std::string &name) : Imbalance(lmp), name_(name) {}
+  int options(int, char **) override { return 1; }
+  void compute(double *weight) override
+  {
+    const int index = input->variable->find(name_.c_str());  // it may have been defined anew
+    if (index < 0) error->all(FLERR, "Weight var: variable '{}' has been deleted", name_);
+    std::vector<double> values(std::max(atom->nlocal, 1));
+    input->variable->compute_atom(index, group->find("all"), values.data(), 1, 0);
+    for (int i = 0; i < atom->nlocal; ++i) weight[i] *= values[i];
+  }
+  std::string info() override { return fmt::format("  weight variable: {}\n", name_); }
+
+ private:
+  std::string name_;
+};
+
 }  // namespace
 
 SliceWeight LAMMPS_NS::makeSliceWeight(LAMMPS *lmp, const std::string &who, int narg, char **arg, int &used)
@@ -84,7 +104,7 @@ SliceWeight LAMMPS_NS::makeSliceWeight(LAMMPS *lmp, const std::string &who, int 
     if (index < 0) lmp->error->all(FLERR, "{}: weight var: there is no variable '{}'", who, weight.name);
     if (!lmp->input->variable->atomstyle(index))
       lmp->error->all(FLERR, "{}: weight var: variable '{}' must be of style atom or atomfile", who, weight.name);
-    weight.imbalance = std::make_unique<ImbalanceVar>(lmp);
+    weight.imbalance = std::make_unique<VariableWeight>(lmp, weight.name);
   } else if (weight.style == "store") {
     weight.name = words.next("the name of a per-atom vector");
     weight.imbalance = std::make_unique<ImbalanceStore>(lmp);

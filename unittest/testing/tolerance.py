@@ -93,3 +93,7 @@ class ChungOoi:
 
 
 CHUNG_OOI = ChungOoi()
+
+# Slices are refined to an imbalance of 1.01 at most, or to single grains; grains then move on until the next balancing.
+SLICE_IMBALANCE = 1.01
+PARTICLE_SHARE = 1.5        # grains: a position on a cut may round to the other side

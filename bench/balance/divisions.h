@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file Ways to divide a box among ranks: the slice grid, and what LAMMPS' shift and rcb converge to, written anew here.
+/// \file Ways to divide a box among ranks: the slice grid, and what LAMMPS' shift and rcb converge to, written anew
+/// here.
 #pragma once
 
 #include "gpudem/slice_grid.h"
@@ -69,7 +70,8 @@ class Slices : public Division {
     const double lo = (point[level.axis] - reach) / box[level.axis], hi = (point[level.axis] + reach) / box[level.axis];
     const auto begin = level.lower.begin();
     int found = 0;
-    for (auto k = std::upper_bound(begin + first + 1, begin + last, lo) - begin - 1; k < last && (k == first || level.lower[k] < hi); ++k)
+    for (auto k = std::upper_bound(begin + first + 1, begin + last, lo) - begin - 1;
+         k < last && (k == first || level.lower[k] < hi); ++k)
       found += within(l + 1, static_cast<int>(k), point, reach);
     return found;
   }
@@ -169,7 +171,8 @@ class Bisection : public Division {
     int axis;
     double at;
   };
-  void split(const std::vector<double> &x, std::uint32_t *first, std::uint32_t *last, int low, int high, Point lo, Point hi)
+  void split(const std::vector<double> &x, std::uint32_t *first, std::uint32_t *last, int low, int high, Point lo,
+             Point hi)
   {
     if (low == high) return;
     const int middle = low + (high - low) / 2 + 1;
@@ -177,14 +180,16 @@ class Bisection : public Division {
     Cut best{0, 0.5 * (lo[0] + hi[0])};
     double widest = -1.0;
     for (int a = 0; a < 3 && last - first > 1; ++a) {
-      std::nth_element(first, first + below, last, [&](std::uint32_t i, std::uint32_t j) { return x[3 * i + a] < x[3 * j + a]; });
+      std::nth_element(first, first + below, last,
+                       [&](std::uint32_t i, std::uint32_t j) { return x[3 * i + a] < x[3 * j + a]; });
       const double at = x[3 * first[below] + a], narrow = std::min(at - lo[a], hi[a] - at);
       if (narrow <= widest) continue;
       widest = narrow;
       best = {a, at};
     }
     cut_[middle] = best;
-    std::uint32_t *const cut = std::partition(first, last, [&](std::uint32_t i) { return x[3 * i + best.axis] < best.at; });
+    std::uint32_t *const cut =
+        std::partition(first, last, [&](std::uint32_t i) { return x[3 * i + best.axis] < best.at; });
     Point upper = hi, lower = lo;
     upper[best.axis] = lower[best.axis] = best.at;
     split(x, first, cut, low, middle - 1, lo, upper);

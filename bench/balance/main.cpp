@@ -13,7 +13,7 @@ using namespace bench;
 
 namespace {
 
-constexpr int frames = 6;              // calls after the first
+constexpr int frames = 6;               // calls after the first
 constexpr std::size_t perRank = 10000;  // grains, unless there would be more than the most
 
 struct Result {
@@ -53,7 +53,8 @@ Result measure(Division &division, const std::vector<std::vector<double>> &film,
     if (frame < frames) continue;
     const std::size_t stride = std::max<std::size_t>(1, count / 50000);
     std::size_t asked = 0, found = 0;
-    for (std::size_t i = 0; i < count; i += stride, ++asked) found += division.ranksWithin(&x[3 * i], 1.1 * diameter) - 1;
+    for (std::size_t i = 0; i < count; i += stride, ++asked)
+      found += division.ranksWithin(&x[3 * i], 1.1 * diameter) - 1;
     result.ghosts = static_cast<double>(found) / asked;
   }
   return result;
@@ -68,8 +69,9 @@ int main(int argc, char **argv)
   std::vector<int> numbers;
   for (int k = 3; k < argc; ++k) numbers.push_back(std::atoi(argv[k]));
   if (numbers.empty()) numbers = {4, 7, 64, 512, 4096, 65536};
-  std::printf("| scene | ranks | grains per rank | way | imbalance | moved | ghosts per grain | sums, first call | sums | "
-              "numbers summed | ns per grain |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| scene | ranks | grains per rank | way | imbalance | moved | ghosts per grain | sums, first call | sums | "
+      "numbers summed | ns per grain |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Scene &scene : scenes())
     for (int ranks : numbers) {
       if (wanted != "all" && wanted != scene.name) continue;
@@ -77,7 +79,8 @@ int main(int argc, char **argv)
       // grains fill about 0.06 of the 0.24 of the box at a packing of 0.6
       const double diameter = std::cbrt(0.6 * 0.06 / static_cast<double>(count) * 6.0 / 3.14159265);
       std::vector<std::vector<double>> film;
-      for (int frame = 0; frame <= frames; ++frame) film.push_back(positions(scene, count, scene.start + frame * 2.0 * diameter));
+      for (int frame = 0; frame <= frames; ++frame)
+        film.push_back(positions(scene, count, scene.start + frame * 2.0 * diameter));
       const std::vector<double> &x = film[0];
       std::array<double, 3> filled{};
       for (int a = 0; a < 3; ++a) {
@@ -93,8 +96,9 @@ int main(int argc, char **argv)
       for (const auto &[name, way] : ways) {
         const Result r = measure(*way, film, ranks, diameter);
         const bool summed = std::string(name) != "rcb";
-        std::printf("| %s | %d | %zu | %s | %.4f | %.2f %% | %.3f | %s | %s | %s | %.0f |\n", scene.name.c_str(), ranks, count / ranks,
-                    name, r.imbalance, 100.0 * r.moved, r.ghosts, summed ? std::to_string(static_cast<int>(r.first)).c_str() : "-",
+        std::printf("| %s | %d | %zu | %s | %.4f | %.2f %% | %.3f | %s | %s | %s | %.0f |\n", scene.name.c_str(), ranks,
+                    count / ranks, name, r.imbalance, 100.0 * r.moved, r.ghosts,
+                    summed ? std::to_string(static_cast<int>(r.first)).c_str() : "-",
                     summed ? std::to_string(r.sums).substr(0, 4).c_str() : "-",
                     summed ? std::to_string(static_cast<long long>(r.numbers)).c_str() : "-", 1e9 * r.time);
         std::fflush(stdout);

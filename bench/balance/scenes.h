@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file Grains that move as in four scenes of the field, without any physics: positions are formulae of grain and time.
+/// \file Grains that move as in four scenes of the field, without any physics: positions are formulae of grain and
+/// time.
 #pragma once
 
 #include <algorithm>
@@ -80,7 +81,8 @@ struct Scene {
 };
 inline std::vector<Scene> scenes()
 {
-  return {{"agitation", agitation, 0.05}, {"collapse", collapse, 0.35}, {"hopper", hopper, 0.4}, {"stream", stream, 0.1}};
+  return {
+      {"agitation", agitation, 0.05}, {"collapse", collapse, 0.35}, {"hopper", hopper, 0.4}, {"stream", stream, 0.1}};
 }
 
 /// Positions of all grains, [3 count], distance.

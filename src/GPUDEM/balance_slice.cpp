@@ -55,6 +55,6 @@ void BalanceSlice::command(int narg, char **arg)
                    "  histograms summed = {}, cuts moved = {}, atoms moved = {}\n"
                    "  initial/final maximal load/proc = {:.8} {:.8}\n"
                    "  initial/final imbalance factor  = {:.8} {:.8}\n",
-                   balancer.shape(), MPI_Wtime() - start, balancer.info(), outcome.rounds, outcome.cuts, outcome.moved, before.most,
-                   outcome.load.most, before.imbalance, outcome.load.imbalance);
+                   balancer.shape(), MPI_Wtime() - start, balancer.info(), outcome.rounds, outcome.cuts, outcome.moved,
+                   before.most, outcome.load.most, before.imbalance, outcome.load.imbalance);
 }

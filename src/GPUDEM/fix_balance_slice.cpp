@@ -13,12 +13,15 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-FixBalanceSlice::FixBalanceSlice(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), balancer(lmp, "Fix balance/slice")
+FixBalanceSlice::FixBalanceSlice(LAMMPS *lmp, int narg, char **arg)
+    : Fix(lmp, narg, arg), balancer(lmp, "Fix balance/slice")
 {
   if (narg < 5)
-    error->all(FLERR, "Fix balance/slice needs Nfreq and a threshold: fix ID group balance/slice Nfreq thresh keyword ...");
+    error->all(FLERR,
+               "Fix balance/slice needs Nfreq and a threshold: fix ID group balance/slice Nfreq thresh keyword ...");
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
-  if (nevery < 0) error->all(FLERR, "Fix balance/slice: Nfreq {} must be a number of steps, or 0 for the start of runs only", arg[3]);
+  if (nevery < 0)
+    error->all(FLERR, "Fix balance/slice: Nfreq {} must be a number of steps, or 0 for the start of runs only", arg[3]);
   balancer.readArguments(narg - 4, arg + 4);
   if (balancer.weighsByVariable() && nevery == 0)
     error->all(FLERR, "Fix balance/slice: weight var needs Nfreq above 0, since a variable is known during a run only");

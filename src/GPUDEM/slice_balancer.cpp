@@ -23,6 +23,9 @@ namespace {
 /// A sub-domain as wide as the skin still hands a grain to a rank that touches it; a hair more, against round-off.
 constexpr double skins = 1.001;
 
+/// Positions of no particles.
+constexpr double nowhere[3] = {0, 0, 0};
+
 /// Positions as fractions of the box for as long as this lives, if the box is tilted.
 class LamdaPositions {
  public:
@@ -44,7 +47,9 @@ class LamdaPositions {
 
 }  // namespace
 
-SliceBalancer::SliceBalancer(LAMMPS *lmp, std::string who) : Pointers(lmp), who_(std::move(who)) {}
+SliceBalancer::SliceBalancer(LAMMPS *lmp, std::string who) : Pointers(lmp), who_(std::move(who))
+{
+}
 SliceBalancer::~SliceBalancer() = default;
 
 void SliceBalancer::fail(const std::string &what) const
@@ -59,7 +64,8 @@ void SliceBalancer::init(bool fix)
     if (w.style != "store") continue;
     int isDouble = 0, columns = 0;
     if (atom->find_custom(w.name.c_str(), isDouble, columns) < 0 || !isDouble || columns)
-      fail(fmt::format("weight store {}: there is no such vector; define it by fix property/atom d_{}", w.name, w.name));
+      fail(
+          fmt::format("weight store {}: there is no such vector; define it by fix property/atom d_{}", w.name, w.name));
   }
   choose_ = true;
 }
@@ -94,8 +100,8 @@ void SliceBalancer::weigh(bool listIsCurrent)
     if (w.imbalance) w.imbalance->compute(weight_.data());
     for (int i = 0; i < nlocal; ++i)
       if (!(weight_[i] > 0.0) || !std::isfinite(weight_[i]))
-        error->one(FLERR, "{}: weight {}{}{} gives atom {} the weight {}; a weight must be a number above 0", who_, w.style,
-                   w.name.empty() ? "" : " ", w.name, atom->tag[i], weight_[i]);
+        error->one(FLERR, "{}: weight {}{}{} gives atom {} the weight {}; a weight must be a number above 0", who_,
+                   w.style, w.name.empty() ? "" : " ", w.name, atom->tag[i], weight_[i]);
   }
 }
 
@@ -162,7 +168,7 @@ SliceBalancer::Outcome SliceBalancer::balance()
     options.betweenNeighbors = near_ && !first;
     for (int a = 0; a < 3; ++a) options.smallest[a] = width_ / length[a];
     const LamdaPositions lamda(domain, atom);
-    gpudem::HostSliceParticles particles(atom->nlocal, atom->nlocal ? atom->x[0] : nullptr,
+    gpudem::HostSliceParticles particles(atom->nlocal, atom->nlocal ? atom->x[0] : nowhere,
                                          weight_.empty() ? nullptr : weight_.data(), lamda.origin(), lamda.length());
     report = gpudem::balanceSlices(grid_, particles, options, [this](double *values, int n) {
       MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_SUM, world);

@@ -13,8 +13,8 @@
 
 namespace LAMMPS_NS {
 
-/// What command and fix balance/slice share: reads the keywords, weighs particles, moves cuts, sub-domains and particles.
-/// All calls but the constructor's are collective.
+/// What command and fix balance/slice share: reads the keywords, weighs particles, moves cuts, sub-domains and
+/// particles. All calls but the constructor's are collective.
 class SliceBalancer : protected Pointers {
  public:
   /// \param who  the command, as messages name it
@@ -63,11 +63,11 @@ class SliceBalancer : protected Pointers {
 
   std::string who_;
   double threshold_ = 1.0;
-  double aim_ = 0.0;          // 0: from the threshold
-  double width_ = -1.0;       // least width of a sub-domain, distance; below 0: the skin
-  int levels_ = 0;            // 0: two, or as many as axes are named
+  double aim_ = 0.0;     // 0: from the threshold
+  double width_ = -1.0;  // least width of a sub-domain, distance; below 0: the skin
+  int levels_ = 0;       // 0: one for each dimension, or as many as axes are named
   std::string axes_ = "auto";
-  bool near_ = false;         // cuts stay between their neighbours
+  bool near_ = false;  // cuts stay between their neighbours
   std::vector<SliceWeight> weights_;
   std::vector<double> weight_;  // [nlocal], empty if all weigh one
   bool choose_ = true;

@@ -23,13 +23,15 @@ int SliceBalancer::readAxes(int narg, char **arg)
 {
   int used = 0;
   std::string axes;
-  for (; used < narg && (strcmp(arg[used], "x") == 0 || strcmp(arg[used], "y") == 0 || strcmp(arg[used], "z") == 0); ++used)
+  for (; used < narg && (strcmp(arg[used], "x") == 0 || strcmp(arg[used], "y") == 0 || strcmp(arg[used], "z") == 0);
+       ++used)
     axes += arg[used];
   if (used) {
     axes_ = axes;
     return used;
   }
-  if (strcmp(arg[0], "auto") != 0) fail(fmt::format("axes '{}' must be auto, or axes in the order of the cuts, such as x z", arg[0]));
+  if (strcmp(arg[0], "auto") != 0)
+    fail(fmt::format("axes '{}' must be auto, or axes in the order of the cuts, such as x z", arg[0]));
   axes_ = "auto";
   return 1;
 }
@@ -79,7 +81,7 @@ void SliceBalancer::readArguments(int narg, char **arg)
 
   // an imbalance found at the threshold is removed well below it, or it would be back at once
   if (aim_ == 0.0) aim_ = std::min(1.01, 0.5 * (1.0 + threshold_));
-  if (levels_ == 0) levels_ = axes_ == "auto" ? std::min(2, domain->dimension) : static_cast<int>(axes_.size());
+  if (levels_ == 0) levels_ = axes_ == "auto" ? domain->dimension : static_cast<int>(axes_.size());
   if (axes_ != "auto" && static_cast<int>(axes_.size()) != levels_)
     fail(fmt::format("axes names {} axes, but levels is {}; name one axis for each level", axes_.size(), levels_));
   for (std::size_t k = 0; axes_ != "auto" && k < axes_.size(); ++k) {

@@ -15,7 +15,7 @@ namespace LAMMPS_NS {
 /// One "weight style args" of a script. Each multiplies the weights that those before it left.
 struct SliceWeight {
   std::string style;
-  std::string name;  // of the variable or the stored vector, empty for other styles
+  std::string name;                      // of the variable or the stored vector, empty for other styles
   std::unique_ptr<Imbalance> imbalance;  // null for count, which changes nothing
 };
 

@@ -46,7 +46,8 @@ inline bool indivisible(Spread kind)
 /// Particles spread over several holders, as they are over ranks: each counts its own, and the counts add up.
 class ScatteredParticles : public SliceParticles {
  public:
-  ScatteredParticles(int holders, const std::vector<double> &position, const std::vector<double> &weight, std::mt19937 &random)
+  ScatteredParticles(int holders, const std::vector<double> &position, const std::vector<double> &weight,
+                     std::mt19937 &random)
       : position_(holders), weight_(holders)
   {
     for (std::size_t i = 0; i < position.size() / 3; ++i) {
@@ -56,8 +57,8 @@ class ScatteredParticles : public SliceParticles {
     }
     const double origin[3] = {0, 0, 0}, length[3] = {1, 1, 1};
     for (int h = 0; h < holders; ++h)
-      parts_.emplace_back(position_[h].size() / 3, position_[h].data(), weight.empty() ? nullptr : weight_[h].data(), origin,
-                          length);
+      parts_.emplace_back(position_[h].size() / 3, position_[h].data(), weight.empty() ? nullptr : weight_[h].data(),
+                          origin, length);
   }
   void countExponents(double *counts) const override
   {
@@ -90,7 +91,8 @@ inline SliceReport balanced(SliceGrid &grid, const std::vector<double> &position
 }
 
 /// Weight on each rank, one particle after the other.
-inline std::vector<double> loads(const SliceGrid &grid, const std::vector<double> &position, const std::vector<double> &weight)
+inline std::vector<double> loads(const SliceGrid &grid, const std::vector<double> &position,
+                                 const std::vector<double> &weight)
 {
   std::vector<double> load(grid.ranks, 0.0);
   for (std::size_t i = 0; i < position.size() / 3; ++i)

@@ -24,8 +24,8 @@ SliceGrid gridOf(int ranks, int levels, std::array<double, 3> extent = {1, 1, 1}
   return makeSliceGrid(request);
 }
 
-/// Largest weight of a rank that cuts within their tolerance may leave: the aim, and a particle for each level, since no cut
-/// divides one.
+/// Largest weight of a rank that cuts within their tolerance may leave: the aim, and a particle for each level, since
+/// no cut divides one.
 double allowed(const SliceOptions &options, int levels, double mean, double heaviestParticle)
 {
   return mean * std::pow(1.0 + (options.aim - 1.0) / levels, levels) * (1.0 + 1e-3) + levels * heaviestParticle;
@@ -46,7 +46,8 @@ std::string messageOf(Call call)
   }
   return "no error";
 }
-#define EXPECT_MESSAGE(words, call) EXPECT_NE(messageOf([&] { call; }).find(words), std::string::npos) << messageOf([&] { call; })
+#define EXPECT_MESSAGE(words, call) \
+  EXPECT_NE(messageOf([&] { call; }).find(words), std::string::npos) << messageOf([&] { call; })
 
 }  // namespace
 
@@ -61,7 +62,8 @@ TEST(SliceShape, EveryNumberOfRanksFillsTheBoxWithEqualVolumes)
       for (int r = 0; r < ranks; ++r) {
         double volume = 1.0;
         for (int a = 0; a < 3; ++a) volume *= grid.bounds(r, a)[1] - grid.bounds(r, a)[0];
-        EXPECT_TRUE(near(volume, 1.0 / ranks, roundOff(Precision::Double, 1.0))) << ranks << " ranks, " << levels << " levels";
+        EXPECT_TRUE(near(volume, 1.0 / ranks, roundOff(Precision::Double, 1.0)))
+            << ranks << " ranks, " << levels << " levels";
         sum += volume;
       }
       EXPECT_TRUE(near(sum, 1.0, roundOff(Precision::Double, 1.0, ranks)));
@@ -170,7 +172,8 @@ TEST(SliceBalance, ImbalanceReachesTheAimForAllRanksAndDistributions)
       EXPECT_TRUE(near(report.heaviest, most, roundOff(Precision::Double, most))) << "what is said is what is";
       EXPECT_TRUE(near(report.imbalance, most / mean, roundOff(Precision::Double, most / mean)));
       if (!indivisible(kind)) {
-        EXPECT_LE(most, allowed(options, levels, mean, 1.0)) << ranks << " ranks, " << levels << " levels, kind " << int(kind);
+        EXPECT_LE(most, allowed(options, levels, mean, 1.0))
+            << ranks << " ranks, " << levels << " levels, kind " << int(kind);
       }
     }
 }
@@ -185,7 +188,8 @@ TEST(SliceBalance, WeightsAreBalanced)
     const auto x = spread(kind, count, random);
     std::lognormal_distribution<double> any(0.0, 1.0);
     std::vector<double> weight(count);
-    const double scale = std::pow(10.0, static_cast<double>(seed % 7) * 4.0 - 12.0);  // the unit of weight does not matter
+    const double scale =
+        std::pow(10.0, static_cast<double>(seed % 7) * 4.0 - 12.0);  // the unit of weight does not matter
     for (double &w : weight) w = scale * any(random);
     SliceGrid grid = gridOf(ranks, levels);
     const SliceOptions options;
@@ -284,7 +288,8 @@ TEST(SliceBalance, WidthsAndMovesKeepTheirLimits)
         for (int k = level.groupStart[g]; k < level.groupStart[g + 1]; ++k) {
           const double upper = k + 1 < level.groupStart[g + 1] ? level.lower[k + 1] : 1.0;
           EXPECT_GE(upper - level.lower[k], 0.004 * (1.0 - 1e-9)) << "seed " << seed;
-          EXPECT_LE(std::abs(level.lower[k] - old.lower[k]), options.farthest[level.axis] * (1.0 + 1e-9) + 0.004 * level.parts());
+          EXPECT_LE(std::abs(level.lower[k] - old.lower[k]),
+                    options.farthest[level.axis] * (1.0 + 1e-9) + 0.004 * level.parts());
           if (!options.betweenNeighbors || k == level.groupStart[g]) continue;
           EXPECT_GE(level.lower[k], old.lower[k - 1]);
         }

@@ -30,8 +30,9 @@ void checkOptions(const SliceGrid &grid, const SliceOptions &o)
     for (int g = 0; g < level.groups(); ++g) {
       const int parts = level.groupStart[g + 1] - level.groupStart[g];
       if (parts > 1 && parts * smallest > 1.0 + 1e-9)
-        throw Error(fmt::format("balancing: {} parts along {} do not fit into the box, each being at least {:.4g} of it", parts,
-                                "xyz"[level.axis], smallest));
+        throw Error(
+            fmt::format("balancing: {} parts along {} do not fit into the box, each being at least {:.4g} of it", parts,
+                        "xyz"[level.axis], smallest));
     }
   }
 }
@@ -89,7 +90,8 @@ SliceBins binsOfParts(const SliceLevel &level)
 
 }  // namespace
 
-SliceReport balanceSlices(SliceGrid &grid, SliceParticles &particles, const SliceOptions &options, const SumOverRanks &sumOverRanks)
+SliceReport balanceSlices(SliceGrid &grid, SliceParticles &particles, const SliceOptions &options,
+                          const SumOverRanks &sumOverRanks)
 {
   checkOptions(grid, options);
   SliceReport report;

@@ -63,7 +63,8 @@ CutSearch::CutSearch(const SliceLevel &level, const SliceOptions &options, doubl
       }
       cuts_.push_back(cut);
       share_.push_back(static_cast<double>(level.firstRank[k] - level.firstRank[first]) / ranks);
-      fewest_.push_back(std::min(level.firstRank[k] - level.firstRank[k - 1], level.firstRank[k + 1] - level.firstRank[k]));
+      fewest_.push_back(
+          std::min(level.firstRank[k] - level.firstRank[k - 1], level.firstRank[k + 1] - level.firstRank[k]));
     }
     groupStart_.push_back(static_cast<int>(cuts_.size()));
   }

@@ -11,7 +11,9 @@ namespace {
 /// The part of a level that holds a rank.
 int partOf(const SliceLevel &level, int rank)
 {
-  return static_cast<int>(std::upper_bound(level.firstRank.begin(), level.firstRank.end(), rank) - level.firstRank.begin()) - 1;
+  return static_cast<int>(std::upper_bound(level.firstRank.begin(), level.firstRank.end(), rank) -
+                          level.firstRank.begin()) -
+         1;
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ inline std::int64_t binOf(const SliceBins &bins, int group, double x)
   }
   const std::int64_t n = bins.binStart[low + 1] - bins.binStart[low];
   if (n == 1) return bins.binStart[low];
-  const double place = (x - bins.segmentLower[low]) / (bins.segmentUpper[low] - bins.segmentLower[low]) * static_cast<double>(n);
+  const double place =
+      (x - bins.segmentLower[low]) / (bins.segmentUpper[low] - bins.segmentLower[low]) * static_cast<double>(n);
   // the quotient may round across an edge: the comparison with the edges decides, as it does for the finished cuts
   std::int64_t k = place < 0.0 ? 0 : (place >= static_cast<double>(n) ? n - 1 : static_cast<std::int64_t>(place));
   while (k > 0 && x < bins.edge(low, k)) --k;
@@ -40,8 +41,8 @@ inline std::int64_t binOf(const SliceBins &bins, int group, double x)
 /// Adds to weights[bin] the weight of each particle.
 /// \param group   [count], the group of each particle
 /// \param units   [count], integer weights, or null: each weighs \p alike
-inline void countInBins(const AxisPositions &x, const int *group, const double *units, double alike, const SliceBins &bins,
-                        double *weights)
+inline void countInBins(const AxisPositions &x, const int *group, const double *units, double alike,
+                        const SliceBins &bins, double *weights)
 {
   for (std::size_t i = 0; i < x.count; ++i) weights[binOf(bins, group[i], x[i])] += units ? units[i] : alike;
 }

@@ -10,8 +10,8 @@
 
 namespace gpudem {
 
-HostSliceParticles::HostSliceParticles(std::size_t count, const double *position, const double *weight, const double *origin,
-                                       const double *length)
+HostSliceParticles::HostSliceParticles(std::size_t count, const double *position, const double *weight,
+                                       const double *origin, const double *length)
     : position_(position), weight_(weight), group_(count)
 {
   for (int a = 0; a < 3; ++a) {
@@ -29,7 +29,8 @@ void HostSliceParticles::countExponents(double *counts) const
   for (std::size_t i = 0; i < group_.size(); ++i) {
     const double w = weight_[i];
     if (!(w >= 0.0) || !std::isfinite(w))
-      throw Error(fmt::format("balancing: particle {} of this rank has weight {}; a weight must be a number, not negative", i, w));
+      throw Error(fmt::format(
+          "balancing: particle {} of this rank has weight {}; a weight must be a number, not negative", i, w));
     int exponent = 0;
     std::frexp(w, &exponent);  // w < 2^exponent
     ++counts[w == 0.0 ? 0 : std::clamp(exponent + 128, 1, exponents - 1)];
@@ -55,7 +56,8 @@ void HostSliceParticles::count(int axis, const SliceBins &bins, double *weights)
 
 void HostSliceParticles::descend(const SliceLevel &level)
 {
-  descendToParts({group_.size(), position_ + level.axis, 3, origin_[level.axis], inverse_[level.axis]}, level, group_.data());
+  descendToParts({group_.size(), position_ + level.axis, 3, origin_[level.axis], inverse_[level.axis]}, level,
+                 group_.data());
 }
 
 }  // namespace gpudem

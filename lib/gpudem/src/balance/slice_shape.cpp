@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file How many slabs, along which axis: the least surface between ranks, among the grids that the tree of ranks represents.
+/// \file How many slabs, along which axis: the least surface between ranks, among the grids that the tree of ranks
+/// represents.
 #include "gpudem/errors.h"
 #include "gpudem/slice_grid.h"
 
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double impossible = std::numeric_limits<double>::infinity();
 
-/// \p ranks divided into \p parts nodes of the tree, the largest node being halved again and again; sizes in order of rank.
+/// \p ranks divided into \p parts nodes of the tree, the largest node being halved again and again; sizes in order of
+/// rank.
 std::vector<int> halve(int ranks, int parts)
 {
   if (parts == ranks) return std::vector<int>(ranks, 1);
@@ -106,13 +108,17 @@ std::vector<std::vector<int>> candidates(const SliceRequest &request)
     for (char c : request.axes) {
       const int axis = c - 'x';
       if (axis < 0 || axis > 2)
-        throw Error(fmt::format("axes {}: '{}' is no axis; give x, y and z in the order of the cuts, or auto", request.axes, c));
-      if (axis >= request.dimension) throw Error(fmt::format("axes {}: no cuts along z in two dimensions", request.axes));
-      if (std::count(axes.begin(), axes.end(), axis)) throw Error(fmt::format("axes {}: {} stands twice", request.axes, c));
+        throw Error(fmt::format("axes {}: '{}' is no axis; give x, y and z in the order of the cuts, or auto",
+                                request.axes, c));
+      if (axis >= request.dimension)
+        throw Error(fmt::format("axes {}: no cuts along z in two dimensions", request.axes));
+      if (std::count(axes.begin(), axes.end(), axis))
+        throw Error(fmt::format("axes {}: {} stands twice", request.axes, c));
       axes.push_back(axis);
     }
     if (static_cast<int>(axes.size()) != request.levels)
-      throw Error(fmt::format("axes {} names {} axes, but the grid has {} levels", request.axes, axes.size(), request.levels));
+      throw Error(
+          fmt::format("axes {} names {} axes, but the grid has {} levels", request.axes, axes.size(), request.levels));
     return {axes};
   }
   std::vector<std::vector<int>> all;
@@ -131,7 +137,8 @@ SliceGrid makeSliceGrid(const SliceRequest &request)
 {
   if (request.ranks < 1) throw Error(fmt::format("a slice grid of {} ranks: at least 1 is needed", request.ranks));
   if (request.levels < 1 || request.levels > request.dimension)
-    throw Error(fmt::format("levels {}: must be 1 to {} in {} dimensions", request.levels, request.dimension, request.dimension));
+    throw Error(fmt::format("levels {}: must be 1 to {} in {} dimensions", request.levels, request.dimension,
+                            request.dimension));
   std::array<double, 3> extent = request.extent;
   for (double &e : extent)
     if (!(e > 0.0)) e = 1e-3 * std::max({extent[0], extent[1], extent[2], 1e-30});  // flat: never worth a cut
@@ -147,9 +154,10 @@ SliceGrid makeSliceGrid(const SliceRequest &request)
     }
   }
   if (axes.empty())
-    throw Error(fmt::format("the box is too small for {} ranks in {} levels: along x, y, z a part must be at least {:.3g}, "
-                            "{:.3g}, {:.3g} of the box; use fewer ranks, more levels or a smaller least width",
-                            request.ranks, request.levels, request.smallest[0], request.smallest[1], request.smallest[2]));
+    throw Error(
+        fmt::format("the box is too small for {} ranks in {} levels: along x, y, z a part must be at least {:.3g}, "
+                    "{:.3g}, {:.3g} of the box; use fewer ranks, more levels or a smaller least width",
+                    request.ranks, request.levels, request.smallest[0], request.smallest[1], request.smallest[2]));
 
   SliceGrid grid;
   grid.ranks = request.ranks;

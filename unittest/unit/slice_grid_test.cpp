@@ -202,6 +202,22 @@ TEST(SliceBalance, WeightsAreBalanced)
   }
 }
 
+/// A layer on an edge between bins belongs to the bin above it, however the quotient that finds the bin rounds.
+TEST(SliceBalance, LayersAreNeverSplitNorMisplaced)
+{
+  for (int ranks = 2; ranks <= 64; ++ranks)
+    for (int each = 1; each <= 4; ++each) {
+      const int layers = ranks * each;
+      std::vector<double> x;
+      for (int k = 0; k < layers; ++k)
+        for (int i = 0; i < 50; ++i) x.insert(x.end(), {static_cast<double>(k) / layers, 0.5, 0.5});
+      SliceGrid grid = gridOf(ranks, 1, {1, 1, 1}, "x");
+      SliceOptions options;
+      options.aim = 1.0;
+      EXPECT_EQ(balanced(grid, x, {}, options).imbalance, 1.0) << ranks << " ranks, layers each " << each;
+    }
+}
+
 TEST(SliceBalance, CutsDoNotDependOnWhereParticlesLive)
 {
   for (unsigned seed = 1; seed <= 10; ++seed) {

@@ -25,6 +25,11 @@ def even(keywords="", every=20, threshold=1.0):
     return EVEN.format(every=every, threshold=threshold, keywords=keywords)
 
 
+def half_as_large(atoms, velocities):
+    for atom in atoms[::2]:
+        atom[2] *= 0.5
+
+
 class SliceTest(StylesTest):
     def slices(self, text, files, ranks, **more):
         """Stock styles and loop, in the executable that knows balance/slice."""
@@ -70,7 +75,7 @@ class SliceBase(SliceTest):
 OPEN = dict(boundary="s s s")
 GROUPS = {
     "SameAnswer": {
-        "hooke_history": Case(),
+        "hooke_history": Case(ranks=RANKS + (16,)),
         "hooke": Case(scene=dict(boundary="p p f", pair=scenes.HOOKE), ranks=(3, 8)),
         "hertz_history": Case(scene=dict(boundary="p p f", pair=scenes.HERTZ_HISTORY), ranks=(2, 5)),
         "granular": Case(scene=dict(boundary="p p f", pair="granular", coeff=(
@@ -82,6 +87,14 @@ GROUPS = {
         "tilted_box": Case(before="change_box all triclinic\nchange_box all xy final 1.0 yz final 0.0 xz final 0.5 remap\n",
                            cloud={}, fixes=NVE, scene={}, ranks=(3, 4)),
         "every_step": Case(every=1, ranks=(3, 5)),
+        "chute": Case(cloud=dict(cells=(12, 8, 5), frozen_layer=True, margin=(0, 0, 2.0)), ranks=(2, 7),
+                      fixes="group base type 2\ngroup active subtract all base\nneigh_modify exclude group base base\n"
+                      "fix move active nve/sphere\nfix down all gravity 30.0 chute 26.0\nfix ice base freeze\n"),
+        "drum": Case(cloud=dict(margin=(0.05, 0.05, 0.8)), scene=dict(boundary="f f f"), ranks=(3, 8),
+                     fixes=NVE + DOWN + "variable turn equal 2.0*dt*step\n"
+                     "region can cylinder y 3.6 3.6 6.0 0.05 7.15 side in units box rotate v_turn 3.6 0 3.6 0 1 0\n"
+                     "fix can all wall/gran/region hooke/history 2.0e4 NULL 50.0 NULL 0.5 1 region can\n"),
+        "two_sizes": Case(cloud=dict(cells=(9, 9, 7), margin=(0, 0, 1.0), edit=half_as_large), ranks=(4, 5)),
     },
     "Keywords": {
         "one_level": Case(keywords="levels 1 axes x", ranks=(2, 5)),

@@ -23,6 +23,9 @@ namespace {
 /// A sub-domain as wide as the skin still hands a grain to a rank that touches it; a hair more, against round-off.
 constexpr double skins = 1.001;
 
+/// Other slabs, for which most particles change rank, must have a surface smaller by this factor.
+constexpr double worthwhile = 0.8;
+
 /// Positions of no particles.
 constexpr double nowhere[3] = {0, 0, 0};
 
@@ -44,6 +47,17 @@ class LamdaPositions {
   Domain *domain_;
   const Atom *atom_;
 };
+
+/// Whether there is a grid, and all its parts can be as wide as they must (fractions of the box).
+bool fits(const gpudem::SliceGrid &grid, const std::array<double, 3> &smallest)
+{
+  for (const gpudem::SliceLevel &level : grid.levels)
+    for (int g = 0; g < level.groups(); ++g) {
+      const int parts = level.groupStart[g + 1] - level.groupStart[g];
+      if (parts > 1 && parts * smallest[level.axis] > 1.0) return false;
+    }
+  return !grid.levels.empty();
+}
 
 }  // namespace
 
@@ -67,7 +81,6 @@ void SliceBalancer::init(bool fix)
       fail(
           fmt::format("weight store {}: there is no such vector; define it by fix property/atom d_{}", w.name, w.name));
   }
-  choose_ = true;
 }
 
 bool SliceBalancer::weighsByVariable() const
@@ -120,38 +133,43 @@ SliceBalancer::Load SliceBalancer::load()
   return load;
 }
 
-void SliceBalancer::chooseSlabs(const double *length)
+std::array<double, 3> SliceBalancer::filledRegion() const
 {
-  // the region that particles fill decides, not the box: most of it may be empty
+  // of a uniform region: its edges; a grain that flies alone hardly counts
   const LamdaPositions lamda(domain, atom);
-  std::array<double, 6> mine;
-  mine.fill(1e300);
+  std::array<double, 7> mine{}, all;
   for (int i = 0; i < atom->nlocal; ++i)
     for (int a = 0; a < 3; ++a) {
       const double f = (atom->x[i][a] - lamda.origin()[a]) / lamda.length()[a];
-      mine[a] = std::min(mine[a], f);
-      mine[3 + a] = std::min(mine[3 + a], -f);
+      mine[a] += f;
+      mine[3 + a] += f * f;
     }
-  std::array<double, 6> all;
-  MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_MIN, world);
+  mine[6] = atom->nlocal;
+  MPI_Allreduce(mine.data(), all.data(), 7, MPI_DOUBLE, MPI_SUM, world);
+  std::array<double, 3> extent;
+  for (int a = 0; a < 3; ++a) {
+    const double mean = all[a] / all[6], variance = all[3 + a] / all[6] - mean * mean;
+    extent[a] = domain->prd[a] * (variance > 0.0 ? std::min(1.0, std::sqrt(12.0 * variance)) : 0.0);
+  }
+  return extent;
+}
 
+bool SliceBalancer::chooseSlabs()
+{
   gpudem::SliceRequest request;
   request.ranks = comm->nprocs;
   request.dimension = domain->dimension;
   request.levels = levels_;
   request.axes = axes_;
-  for (int a = 0; a < 3; ++a) {
-    const double filled = -all[3 + a] - all[a];
-    request.extent[a] = length[a] * (filled > 0.0 ? filled : 1.0);
-    request.smallest[a] = width_ / length[a];
-  }
+  request.extent = filledRegion();
+  for (int a = 0; a < 3; ++a) request.smallest[a] = width_ / domain->prd[a];
   gpudem::SliceGrid grid = gpudem::makeSliceGrid(request);
-  bool same = grid.levels.size() == grid_.levels.size();
-  for (std::size_t l = 0; same && l < grid.levels.size(); ++l)
-    same = grid.levels[l].axis == grid_.levels[l].axis && grid.levels[l].firstRank == grid_.levels[l].firstRank;
-  // cuts that are there already are the better beginning
-  if (!same) grid_ = std::move(grid);
-  choose_ = false;
+  // cuts that are there already are the better beginning, unless the region has become another or the box too small for
+  // them
+  const double before = gpudem::sliceSurface(grid_, request.extent);
+  if (fits(grid_, request.smallest) && gpudem::sliceSurface(grid, request.extent) >= worthwhile * before) return false;
+  grid_ = std::move(grid);
+  return true;
 }
 
 SliceBalancer::Outcome SliceBalancer::balance()
@@ -161,11 +179,10 @@ SliceBalancer::Outcome SliceBalancer::balance()
   gpudem::SliceReport report;
   std::vector<int> owner;
   try {
-    const bool first = choose_ && grid_.levels.empty();
-    if (choose_) chooseSlabs(length);
+    const bool anew = chooseSlabs();
     gpudem::SliceOptions options;
     options.aim = aim_;
-    options.betweenNeighbors = near_ && !first;
+    options.betweenNeighbors = near_ && !anew;
     for (int a = 0; a < 3; ++a) options.smallest[a] = width_ / length[a];
     const LamdaPositions lamda(domain, atom);
     gpudem::HostSliceParticles particles(atom->nlocal, atom->nlocal ? atom->x[0] : nowhere,

@@ -7,6 +7,7 @@
 #include "pointers.h"
 #include "slice_weights.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ class SliceBalancer : protected Pointers {
 
   /// The threshold, then keywords. Switches to comm_style tiled if there are several ranks.
   void readArguments(int narg, char **arg);
-  /// Before a run or a single use: checks what weights refer to, and chooses the slabs anew at the next balancing.
+  /// Before a run or a single use: checks what weights refer to.
   void init(bool fix);
   /// Weigh all particles.
   /// \param listIsCurrent  whether the neighbour list is that of the particles as they are
@@ -57,7 +58,8 @@ class SliceBalancer : protected Pointers {
  private:
   int readAxes(int narg, char **arg);
   void useTiledLayout();
-  void chooseSlabs(const double *length);
+  std::array<double, 3> filledRegion() const;  // edges, distance
+  bool chooseSlabs();                          // true: other slabs than before
   void applyToComm();
   void fail(const std::string &what) const;
 
@@ -70,7 +72,6 @@ class SliceBalancer : protected Pointers {
   bool near_ = false;  // cuts stay between their neighbours
   std::vector<SliceWeight> weights_;
   std::vector<double> weight_;  // [nlocal], empty if all weigh one
-  bool choose_ = true;
   gpudem::SliceGrid grid_;
   std::unique_ptr<class Balance> writer_;  // of the file of keyword out, else null
   std::unique_ptr<class Irregular> irregular_;

@@ -163,6 +163,23 @@ class Loads(SliceTest):
         self.assertLessEqual(load.max() / load.mean(), SLICE_IMBALANCE + 2 * 5 * 5.0 / load.sum())
         self.assertLessEqual(abs(load.max() / load.mean() - rows[4][0]), 2 * 5 * 5.0 / load.sum())
 
+    def test_slabs_follow_the_shape(self):
+        """A column is cut into layers; laid down along x, into lengths."""
+        text = (scenes.head("p p f") + scenes.middle() + NVE + even("levels 1", every=10) +
+                "dump ranks all custom 1 ranks.out id proc x z\nrun 0\n"
+                "displace_atoms all ramp x 0 40 z 0 18 units box\ndisplace_atoms all ramp z 0 -16 z 0 18 units box\n"
+                "reset_timestep 100\ndump ranks all custom 1 later.out id proc x z\nrun 0\n")
+        text = text.replace("reset_timestep", "undump ranks\nreset_timestep")
+        column = dict(cells=(4, 4, 20), margin=(20.0, 0.0, 0.5))
+        run = self.slices(text, [("cloud.data", scenes.cloud(**column))], 4)
+        for name, step, cut in (("ranks.out", 0, "z"), ("later.out", 100, "x")):
+            names, a = run.dump(name)[step]
+            proc = a[:, names.index("proc")]
+            for axis in "xz":
+                ranges = sorted((a[proc == r, names.index(axis)].min(), a[proc == r, names.index(axis)].max()) for r in range(4))
+                apart = all(ranges[k][1] <= ranges[k + 1][0] for k in range(3))
+                self.assertEqual(apart, axis == cut, f"{name}, {axis}: {ranges}")
+
     def test_against_stock_balancing(self):
         """A heap in a corner of a box: LAMMPS' shift and rcb beside slices, each free to converge."""
         heap = dict(cells=(12, 12, 12), keep=lambda x: x[0] + x[1] + x[2] < 11.0)

@@ -95,6 +95,18 @@ TEST(SliceShape, LongRegionIsCutAcrossItsLength)
   EXPECT_EQ(gridOf(64, 3).levels[1].parts(), 16);
 }
 
+TEST(SliceShape, SurfaceIsThatOfTheFacesBetweenRanks)
+{
+  const std::array<double, 3> extent = {4.0, 2.0, 1.0};
+  EXPECT_EQ(sliceSurface(gridOf(1, 3), extent), 0.0);
+  EXPECT_TRUE(near(sliceSurface(gridOf(4, 1, {1, 1, 1}, "x"), extent), 3 * 2.0, roundOff(Precision::Double, 6.0)));
+  EXPECT_TRUE(near(sliceSurface(gridOf(4, 1, {1, 1, 1}, "z"), extent), 3 * 8.0, roundOff(Precision::Double, 24.0)));
+  // what is chosen for a region has the least surface in it
+  for (int ranks = 2; ranks <= 64; ++ranks)
+    EXPECT_LE(sliceSurface(gridOf(ranks, 3, extent), extent),
+              sliceSurface(gridOf(ranks, 3, {1.0, 3.0, 0.4}), extent) * (1.0 + 1e-9));
+}
+
 TEST(SliceShape, GivenAxesAreKept)
 {
   const SliceGrid grid = gridOf(12, 2, {1, 1, 1}, "zx");

@@ -61,6 +61,9 @@ struct SliceRequest {
 /// Throws Error: no ranks, levels or axes that do not exist or fit each other, a box too small for the ranks.
 SliceGrid makeSliceGrid(const SliceRequest &request);
 
+/// Surface between ranks that the numbers of parts of \p grid would give in a uniform region of this extent, distance^2.
+double sliceSurface(const SliceGrid &grid, const std::array<double, 3> &extent);
+
 /// Bins of a histogram: the range of each group is divided into segments, each of them into equal bins.
 struct SliceBins {
   std::vector<int> segmentStart;      // [groups + 1], first segment of each group

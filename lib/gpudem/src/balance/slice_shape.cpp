@@ -101,6 +101,14 @@ class Search {
   std::array<int, 3> most_;  // parts along each axis at most
 };
 
+/// A flat region is never worth a cut through its thickness.
+std::array<double, 3> notFlat(std::array<double, 3> extent)
+{
+  for (double &e : extent)
+    if (!(e > 0.0)) e = 1e-3 * std::max({extent[0], extent[1], extent[2], 1e-30});
+  return extent;
+}
+
 std::vector<std::vector<int>> candidates(const SliceRequest &request)
 {
   if (request.axes != "auto") {
@@ -139,9 +147,7 @@ SliceGrid makeSliceGrid(const SliceRequest &request)
   if (request.levels < 1 || request.levels > request.dimension)
     throw Error(fmt::format("levels {}: must be 1 to {} in {} dimensions", request.levels, request.dimension,
                             request.dimension));
-  std::array<double, 3> extent = request.extent;
-  for (double &e : extent)
-    if (!(e > 0.0)) e = 1e-3 * std::max({extent[0], extent[1], extent[2], 1e-30});  // flat: never worth a cut
+  const std::array<double, 3> extent = notFlat(request.extent);
 
   std::vector<int> axes;
   double least = impossible;
@@ -188,6 +194,27 @@ SliceGrid makeSliceGrid(const SliceRequest &request)
     grid.levels.push_back(level);
   }
   return grid;
+}
+
+double sliceSurface(const SliceGrid &grid, const std::array<double, 3> &extent)
+{
+  double surface = 0.0;
+  std::vector<std::array<double, 3>> boxes = {notFlat(extent)};
+  for (const SliceLevel &level : grid.levels) {
+    std::vector<std::array<double, 3>> parts;
+    for (int g = 0; g < level.groups(); ++g) {
+      const int first = level.groupStart[g], last = level.groupStart[g + 1];
+      const auto &box = boxes[g];
+      surface += (last - first - 1) * box[(level.axis + 1) % 3] * box[(level.axis + 2) % 3];
+      for (int k = first; k < last; ++k) {
+        parts.push_back(box);
+        parts.back()[level.axis] *= static_cast<double>(level.firstRank[k + 1] - level.firstRank[k]) /
+                                    (level.firstRank[last] - level.firstRank[first]);
+      }
+    }
+    boxes = parts;
+  }
+  return surface;
 }
 
 }  // namespace gpudem

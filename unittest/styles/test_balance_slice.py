@@ -188,7 +188,7 @@ class Loads(SliceTest):
         for ranks in RANKS:
             reached = {}
             for name, command in (("none", ""), ("shift", "balance 1.0 shift xyz 50 1.0"),
-                                  ("rcb", "comm_style tiled\nbalance 1.0 rcb"), ("slice", "balance/slice 1.0"),
+                                  ("rcb", "comm_style tiled\nbalance 1.0 rcb"), ("slice", "balance/slice 1.0 levels 2"),
                                   ("slice_3", "balance/slice 1.0 levels 3")):
                 run = self.slices(text.format(NVE + command), files, ranks)
                 reached[name], grains = self.counted(run, 0, ranks, "ranks.out")

@@ -5,6 +5,8 @@
 #include "error.h"
 #include "lammps.h"
 
+#include "gpudem/scene.h"
+
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
@@ -28,7 +30,7 @@ std::string oneOf(const std::string &keyword, const std::string &value, std::ini
   throw std::invalid_argument("'" + value + "' is no value of '" + keyword + "'; choose from " + list);
 }
 
-int wholeNumber(const std::string &keyword, const std::string &value, int least)
+int wholeNumber(const std::string &keyword, const std::string &value, int least, int most = 0)
 {
   std::size_t used = 0;
   int n = least - 1;
@@ -37,6 +39,9 @@ int wholeNumber(const std::string &keyword, const std::string &value, int least)
   } catch (const std::exception &) {
     used = 0;
   }
+  if (most > 0 && used == value.size() && n > most)
+    throw std::invalid_argument("'" + value + "' is too much for '" + keyword + "'; there are at most " +
+                                std::to_string(most));
   if (used != value.size() || used == 0 || n < least)
     throw std::invalid_argument("'" + value + "' is no value of '" + keyword + "'; give a whole number of at least " +
                                 std::to_string(least));
@@ -46,7 +51,7 @@ int wholeNumber(const std::string &keyword, const std::string &value, int least)
 
 std::string GpudemSettings::keywords()
 {
-  return "device, precision, threads, conventions, info";
+  return "device, precision, threads, neighbor, levels, conventions, info";
 }
 
 bool GpudemSettings::set(const std::string &keyword, const std::string &value)
@@ -54,6 +59,8 @@ bool GpudemSettings::set(const std::string &keyword, const std::string &value)
   if (keyword == "device") device = oneOf(keyword, value, {"auto", "gpu", "cpu"});
   else if (keyword == "precision") precision = oneOf(keyword, value, {"double", "mixed"});
   else if (keyword == "threads") threads = value == "auto" ? 0 : wholeNumber(keyword, value, 1);
+  else if (keyword == "neighbor") neighbor = oneOf(keyword, value, {"auto", "single", "multigrid"});
+  else if (keyword == "levels") levels = value == "auto" ? 0 : wholeNumber(keyword, value, 1, gpudem::mostLevels);
   else if (keyword == "conventions") conventions = oneOf(keyword, value, {"corrected", "lammps"});
   else if (keyword == "info") verbose = oneOf(keyword, value, {"yes", "no"}) == "yes";
   else return false;

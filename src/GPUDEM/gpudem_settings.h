@@ -14,6 +14,8 @@ struct GpudemSettings {
   std::string precision = "mixed";        ///< mixed, double
   std::string conventions = "corrected";  ///< corrected; lammps: where LAMMPS 29 Sep 2021 is wrong, so are we
   int threads = 0;                        ///< CPU threads, 0 = automatic
+  std::string neighbor = "auto";          ///< auto, single, multigrid
+  int levels = 0;                         ///< of the multigrid, 0 = automatic
   bool verbose = true;                    ///< print the block of choices at the start of a run
   int version = 0;                        ///< counts changes, so that an engine knows when it is out of date
 

@@ -5,6 +5,7 @@
 #include "fix_move_gpudem.h"
 #include "fix_neigh_history_gpudem.h"
 #include "formula.h"
+#include "gpudem_settings.h"
 #include "gpudem/engine.h"
 #include "lammps_compat.h"
 #include "resident.h"
@@ -230,6 +231,9 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
   scene.halfKick = 0.5 * lmp->update->dt * lmp->force->ftm2v;
   scene.skin = lmp->neighbor->skin;
   scene.largestRadius = plan.pair->largestRadius();
+  const GpudemSettings &settings = gpudemSettings(lmp);
+  scene.levels = settings.neighbor == "single" ? 1 : settings.levels;
+  if (settings.neighbor == "multigrid") scene.multigridFrom = scene.levelRatio;
   addExclusions(lmp, scene);
   classify(lmp, plan);
   if (gpudem::keepsContacts(scene) && !plan.history) {

@@ -93,9 +93,18 @@ void ResidentState::checkFinite(unsigned fields) const
   }
 }
 
+void ResidentState::checkRadii()
+{
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (!(atom->radius[i] > 0.0) || !std::isfinite(atom->radius[i]))
+      error->one(FLERR, "GPUDEM: atom {} at step {} has the radius {:g}; it must be a number above 0", atom->tag[i],
+                 update->ntimestep, atom->radius[i]);
+}
+
 void ResidentState::uploadAll(const ResidentPlan &plan)
 {
   checkFinite(gpudem::fieldKinetic);
+  checkRadii();
   gpudem::SceneSpec scene = plan.scene;
   for (int i = 0; i < atom->nlocal; ++i) scene.largestRadius = std::max(scene.largestRadius, atom->radius[i]);
   engine_->setScene(scene);

@@ -52,6 +52,8 @@ class ResidentState : protected Pointers {
  private:
   using Fingerprints = std::array<std::uint64_t, 8>;
   Fingerprints fingerprints() const;
+  /// Stop with the atom's ID if a radius is not above 0.
+  void checkRadii();
   /// Stop with the atom's ID if a value about to be sent is not finite; the device would only name a victim.
   void checkFinite(unsigned fields) const;
   void noteChanges(const Fingerprints &before);

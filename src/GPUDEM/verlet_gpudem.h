@@ -39,6 +39,7 @@ class VerletGpudem : public Verlet {
   void enterResident();
   void leaveResident();
   void printPlan();
+  void printLevels();
 
   void setupResident(int flag);
   void runResident(int n);
@@ -68,6 +69,7 @@ class VerletGpudem : public Verlet {
   bool hostListsBuilt = false;  ///< this run built neighbour lists on the host
   bigint lastRebuild = 0;
   int rebuildInterval = 16;  ///< steps between the last two rebuilds
+  std::string printedLevels; ///< the line on neighbour levels printed last
   std::string printed;       ///< the block printed last
   bigint sumsStep = -1;
   std::map<std::pair<unsigned, gpudem::Array3>, gpudem::KineticSums> sums;

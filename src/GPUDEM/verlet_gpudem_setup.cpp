@@ -94,6 +94,21 @@ void VerletGpudem::printPlan()
   utils::logmesg(lmp, block);
 }
 
+/// The levels follow from the grains, which are known only after the upload.
+void VerletGpudem::printLevels()
+{
+  if (comm->me != 0 || !gpudemSettings(lmp).verbose) return;
+  const std::vector<double> radii = state.engine().neighbors().levelRadii;
+  std::string line;
+  for (const double radius : radii) line += fmt::format(" {:g}", radius);
+  if (radii.size() > 1) line = fmt::format("  neighbours: multigrid of {} levels, radii up to{}\n", radii.size(), line);
+  else if (gpudemSettings(lmp).neighbor == "multigrid") line = "  neighbours: all grains fit one level\n";
+  else line.clear();
+  if (line == printedLevels) return;
+  printedLevels = line;
+  utils::logmesg(lmp, line);
+}
+
 void VerletGpudem::setup(int flag)
 {
   plan = planResidentRun(lmp);
@@ -156,6 +171,7 @@ void VerletGpudem::setupResident(int flag)
   for (Fix *fix : plan.groups) fix->setup(0);  // before the force asks who belongs to them
   state.uploadAll(plan);
   state.engine().rebuild(state.box());
+  printLevels();
   rowsDue = false;
   lastRebuild = update->ntimestep;
 

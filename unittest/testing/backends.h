@@ -4,6 +4,7 @@
 #pragma once
 
 #include "gpudem/engine.h"
+#include "testing/emulated_warp.h"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +15,12 @@ namespace gpudem::testing {
 struct Backend {
   DeviceKind device;
   Precision precision;
+  bool emulated = false;  ///< the kernels of the GPU, lane by lane on the CPU
 };
 
 inline std::string backendName(const ::testing::TestParamInfo<Backend> &info)
 {
-  return std::string(info.param.device == DeviceKind::Cpu ? "Cpu" : "Gpu") +
+  return std::string(info.param.emulated ? "Emulated" : info.param.device == DeviceKind::Cpu ? "Cpu" : "Gpu") +
          (info.param.precision == Precision::Double ? "Double" : "Mixed");
 }
 
@@ -31,6 +33,7 @@ class OnBackend : public ::testing::TestWithParam<Backend> {
   }
   std::unique_ptr<Engine> make(int threads = 2) const
   {
+    if (GetParam().emulated) return makeEmulatedEngine(GetParam().precision);
     return makeEngine({GetParam().device, GetParam().precision, threads, 0});
   }
   bool fine() const { return GetParam().precision == Precision::Double; }
@@ -40,6 +43,8 @@ class OnBackend : public ::testing::TestWithParam<Backend> {
   INSTANTIATE_TEST_SUITE_P(                                                                                       \
       All, fixture,                                                                                               \
       ::testing::Values(Backend{DeviceKind::Cpu, Precision::Double}, Backend{DeviceKind::Cpu, Precision::Mixed},  \
+                        Backend{DeviceKind::Cpu, Precision::Double, true},                                        \
+                        Backend{DeviceKind::Cpu, Precision::Mixed, true},                                         \
                         Backend{DeviceKind::Gpu, Precision::Double}, Backend{DeviceKind::Gpu, Precision::Mixed}), \
       backendName)
 

@@ -107,6 +107,7 @@ struct NeighborReport {
   double entriesPerGrain = 0;
   int longestRow = 0;
   std::int64_t cells = 0;
+  std::vector<double> levelRadii;  ///< largest radius of each level of grains (distance); one level if empty
 };
 
 /// The resident state and its advance. One instance per simulation; not thread-safe.

@@ -139,8 +139,13 @@ struct SceneSpec {
   double halfKick = 0;       ///< dt/2 times the conversion of force/mass to acceleration
   double skin = 0;           ///< neighbour skin (distance)
   double largestRadius = 0;  ///< of all grains present and to come (distance)
+  int levels = 0;            ///< of grains by size, at most mostLevels; 0: as many as the sizes need
+  double levelRatio = 2.0;   ///< of the largest radii of successive levels, where levels is 0
+  double multigridFrom = 2.0;  ///< ratio of largest to smallest radius below which there is one level, where levels is 0
   int types = 1;
 };
+
+constexpr int mostLevels = 12;  ///< of grains by size
 
 /// Limits of the tables that travel with every launch.
 constexpr int maxWalls = 8;  ///< planes and cylinders; a region wall has a launch of its own

@@ -9,6 +9,13 @@
 #define GPUDEM_HD inline __attribute__((always_inline))
 #endif
 
+/// Code that few grains need: on the GPU a function of its own, so that it takes no registers from those that do not.
+#ifdef __CUDACC__
+#define GPUDEM_RARE __host__ __device__ __noinline__
+#else
+#define GPUDEM_RARE inline
+#endif
+
 #ifdef __CUDACC__
 #define GPUDEM_UNROLL _Pragma("unroll")
 #else

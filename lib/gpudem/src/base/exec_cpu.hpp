@@ -79,10 +79,11 @@ class CpuExec {
     return sum;
   }
 
-  /// Stable counting sort of keys below \p range. \p order[k] is the old index of the k-th smallest.
+  /// Stable sort of keys below \p range. \p order[k] is the old index of the k-th smallest.
   void sort(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order, std::uint32_t count,
             std::uint32_t range)
   {
+    if (range > 4ull * count + (1u << 16)) return sortByDigits(key, keyOut, order, count, range);
     starts_.assign(static_cast<std::size_t>(range) + 1, 0);
     for (std::uint32_t i = 0; i < count; ++i) ++starts_[key.data()[i] + 1];
     for (std::uint32_t c = 0; c < range; ++c) starts_[c + 1] += starts_[c];
@@ -111,6 +112,27 @@ class CpuExec {
   void synchronize() const {}
 
  private:
+  /// The same digit by digit, for few keys of a wide range.
+  void sortByDigits(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order,
+                    std::uint32_t count, std::uint32_t range)
+  {
+    constexpr int bits = 11;
+    constexpr std::uint32_t digits = 1u << bits;
+    std::vector<std::uint32_t> from(count), to(count);
+    for (std::uint32_t i = 0; i < count; ++i) from[i] = i;
+    for (int shift = 0; shift < 32 && (range - 1) >> shift; shift += bits) {
+      starts_.assign(digits + 1, 0);
+      for (std::uint32_t i = 0; i < count; ++i) ++starts_[(key.data()[i] >> shift & (digits - 1)) + 1];
+      for (std::uint32_t d = 0; d < digits; ++d) starts_[d + 1] += starts_[d];
+      for (const std::uint32_t i : from) to[starts_[key.data()[i] >> shift & (digits - 1)]++] = i;
+      from.swap(to);
+    }
+    for (std::uint32_t k = 0; k < count; ++k) {
+      order.data()[k] = from[k];
+      keyOut.data()[k] = key.data()[from[k]];
+    }
+  }
+
   /// f(0) .. f(items-1). Waking a thread costs microseconds, so each must get \p least items of its own.
   template <class F>
   void inTeam(std::uint32_t items, std::uint32_t least, const F &f) const

@@ -26,10 +26,18 @@ inline void check(cudaError_t status, const char *what)
 }
 
 template <class F>
-__global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachKernel(std::uint32_t count, const F f)
+__global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachKernel(std::uint32_t count, const __grid_constant__ F f)
 {
   const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
   if (i < count) f(i);
+}
+
+template <class F>
+__global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachWarpKernel(std::uint32_t count, const __grid_constant__ F f)
+{
+  __shared__ typename F::Shared shared[F::blockSize / 32];
+  const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
+  if (i - threadIdx.x % 32 < count) f(i, i < count, shared[threadIdx.x / 32]);
 }
 
 class GpuExec {
@@ -76,6 +84,19 @@ class GpuExec {
     if (count == 0) return;
     const std::uint32_t blocks = (count + F::blockSize - 1) / F::blockSize;
     forEachKernel<F><<<blocks, F::blockSize>>>(count, f);
+    check(cudaGetLastError(), "launching a kernel");
+#ifdef GPUDEM_SYNC_LAUNCHES
+    check(cudaDeviceSynchronize(), "running a kernel");
+#endif
+  }
+
+  /// f(i, i < count, memory of the warp) for whole warps, whose lanes work together.
+  template <class F>
+  void forEachWarp(std::uint32_t count, const F &f) const
+  {
+    if (count == 0) return;
+    const std::uint32_t blocks = (count + F::blockSize - 1) / F::blockSize;
+    forEachWarpKernel<F><<<blocks, F::blockSize>>>(count, f);
     check(cudaGetLastError(), "launching a kernel");
 #ifdef GPUDEM_SYNC_LAUNCHES
     check(cudaDeviceSynchronize(), "running a kernel");

@@ -196,14 +196,20 @@ GPUDEM_HD Vec3<double> separation(const FixedPosition &a, const FixedPosition &b
           toDouble(static_cast<std::int64_t>(a.z - b.z)) * frame.unit64.z};
 }
 
+/// Squared distance from the coarse coordinates; any two points closer than half a window.
+GPUDEM_HD float distance2(const CoarsePosition &a, const CoarsePosition &b, const Vec3<float> &unit)
+{
+  const float dx = static_cast<float>(static_cast<std::int32_t>(a.x - b.x)) * unit.x;
+  const float dy = static_cast<float>(static_cast<std::int32_t>(a.y - b.y)) * unit.y;
+  const float dz = static_cast<float>(static_cast<std::int32_t>(a.z - b.z)) * unit.z;
+  return dx * dx + dy * dy + dz * dz;
+}
+
 /// Could the grains touch? Coarse, and wrong to the safe side only.
 GPUDEM_HD bool mayTouch(const CoarsePosition &c, const CoarsePosition &o, const Vec3<float> &unit, float reachSlack)
 {
-  const float dx = static_cast<float>(static_cast<std::int32_t>(c.x - o.x)) * unit.x;
-  const float dy = static_cast<float>(static_cast<std::int32_t>(c.y - o.y)) * unit.y;
-  const float dz = static_cast<float>(static_cast<std::int32_t>(c.z - o.z)) * unit.z;
   const float reach = (c.radius + o.radius) * 1.000001f + reachSlack;
-  return dx * dx + dy * dy + dz * dz < reach * reach;
+  return distance2(c, o, unit) < reach * reach;
 }
 
 /// Absolute coordinate of a grain known to be within half a window of \p near (distance).

@@ -97,6 +97,17 @@ GPUDEM_HD float biasedByte(std::uint32_t word, int k)
 #endif
 }
 
+/// Ask for the memory at \p address, which will be read soon.
+template <class T>
+GPUDEM_HD void prefetchLine(const T *address)
+{
+#ifdef __CUDA_ARCH__
+  asm volatile("prefetch.global.L1 [%0];" ::"l"(address));
+#else
+  __builtin_prefetch(address);
+#endif
+}
+
 template <class Real>
 GPUDEM_HD Real absolute(Real x)
 {
@@ -201,11 +212,29 @@ GPUDEM_HD int bitCount(std::uint32_t bits)
   return __builtin_popcount(bits);
 #endif
 }
+GPUDEM_HD int bitCount64(std::uint64_t bits)
+{
+#ifdef __CUDA_ARCH__
+  return __popcll(bits);
+#else
+  return __builtin_popcountll(bits);
+#endif
+}
 
 /// Number of pieces of \p size that hold \p count.
 GPUDEM_HD std::uint32_t chunksOf(std::uint32_t count, std::uint32_t size)
 {
   return (count + size - 1) / size;
+}
+
+/// Put \p value where \p expected stands. \return false if something else stands there
+GPUDEM_HD bool atomicClaim(std::uint32_t *address, std::uint32_t expected, std::uint32_t value)
+{
+#ifdef __CUDA_ARCH__
+  return atomicCAS(address, expected, value) == expected;
+#else
+  return __atomic_compare_exchange_n(address, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+#endif
 }
 
 /// Smallest value wins: deterministic whatever the order of the threads.
@@ -218,6 +247,34 @@ GPUDEM_HD void atomicLower(std::uint32_t *address, std::uint32_t value)
   while (value < old && !__atomic_compare_exchange_n(address, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
   }
 #endif
+}
+
+/// Largest value wins.
+GPUDEM_HD void atomicRaise(std::uint32_t *address, std::uint32_t value)
+{
+#ifdef __CUDA_ARCH__
+  atomicMax(address, value);
+#else
+  std::uint32_t old = __atomic_load_n(address, __ATOMIC_RELAXED);
+  while (value > old && !__atomic_compare_exchange_n(address, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+  }
+#endif
+}
+
+/// The float of a pattern.
+inline float floatOf(std::uint32_t bits)
+{
+  float x;
+  memcpy(&x, &bits, 4);
+  return x;
+}
+
+/// Pattern of a float; patterns of numbers that are not negative sort like the numbers.
+GPUDEM_HD std::uint32_t bitsOf(float x)
+{
+  std::uint32_t bits;
+  memcpy(&bits, &x, 4);
+  return bits;
 }
 
 }  // namespace gpudem

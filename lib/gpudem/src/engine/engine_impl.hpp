@@ -8,11 +8,15 @@
 #include "contact/scene_laws.hpp"
 #include "engine/transfer.hpp"
 #include "gpudem/engine.h"
-#include "neighbor/layout.hpp"
+#include "neighbor/cross_levels.hpp"
+#include "neighbor/common_drift.hpp"
+#include "neighbor/inner_list.hpp"
+#include "neighbor/level_choice.hpp"
 #include "neighbor/place.hpp"
 #include "neighbor/pair_table.hpp"
 #include "neighbor/row_table.hpp"
 #include "step/contact_chunk.hpp"
+#include "step/contact_warp.hpp"
 #include "step/kernel_products.hpp"
 #include "step/observables.hpp"
 #include "step/region_step.hpp"
@@ -126,13 +130,17 @@ class EngineImpl final : public Engine {
   ModelNeeds needs_{};
   Roles roles_;
   Box box_;
-  CellGrid grid_{};
+  CellGrid grid_{};                 ///< cells that tell where a grain is
+  std::vector<float> levelRadii_;   ///< largest radius of each level
+  LevelGrid levels_{};              ///< cells to search in; grid_ where there is one level
   Frame frame_{};
   AnchorRule anchorRule_{};
   std::uint32_t count_ = 0;
 
   int posNow_ = 0, motNow_ = 0;  ///< which of the two buffers holds the current state
   int queued_ = 0;
+  InnerList inner_;  ///< GPU only
+  CommonDrift drift_;
   std::vector<std::int64_t> queuedSteps_;
   bool rowsValid_ = false, forceValid_ = false, storeFresh_ = false;
   NeighborReport report_;
@@ -147,7 +155,9 @@ class EngineImpl final : public Engine {
       order_{"sorting permutation"}, anchor_{"anchors"}, uintScratch_{"scratch (2)"};
   Array<Vec3<Real>> force_{"forces"}, torque_{"torques"}, vecScratch_{"scratch (3)"};
   Array<Vec3<double>> origin_{"original positions"}, originScratch_{"original positions (2)"};
-  Array<std::uint32_t> cellFirst_{"first grains of cells"}, cellEnd_{"last grains of cells"};
+  Array<std::uint32_t> searchCell_{"cells of the levels"};
+  CellTable<Exec> cells_;
+  CrossLevels<Exec, P> cross_;
   Array<std::uint32_t> storeOffset_{"stored contacts"};
   Array<std::int32_t> storePartner_{"partners of stored contacts"};
   Array<Real> storeSpring_{"stored springs"};

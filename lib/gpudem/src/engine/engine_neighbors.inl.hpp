@@ -61,15 +61,17 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
   box_ = box;
   ++report_.rebuilds;
   if (!count_) {
+    drift_.forget();
     rowsValid_ = true;
     return;
   }
-  const CellGrid fresh = chooseGrid(box, reachOf(scene_, pullOffGap_), count_);
+  const CellGrid fresh = chooseGrid(box, reachOf(scene_, pullOffGap_), mostCells);
   bool fits = true;
   for (int d = 0; d < 3; ++d) fits = fits && fresh.size[d] * 2.0 <= frame_.window[d];
   if (!fits) reframe(chooseFrame(box, fresh));
   explainMemory([&] { rebuildIn(fresh); });
   storeFresh_ = false;
+  inner_.setSkin(scene_.skin, reachSlackOf(frame_));
   rowsValid_ = true;
   resetStatus();
 }
@@ -91,10 +93,17 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
 
   key_.reserve(count_);
   order_.reserve(count_);
-  exec_.forEach(count_, PlaceGrains<P>{positions(), cell_.data(), grid_, fresh, frame_, toBoxView(box_), image_.data(),
-                                       key_.data()});
+  levels_ = levelGrid(box_, levelRadii_, fresh, pullOffGap_, scene_.skin);
+  const bool several = levels_.levels > 1;
+  if (several) {
+    searchCell_.reserve(count_);
+    uintScratch_.reserve(count_ + 1);
+  }
+  exec_.forEach(count_, PlaceGrains<P>{positions(), cell_.data(), grid_, levels_, fresh, frame_, toBoxView(box_),
+                                       image_.data(), key_.data(), several ? uintScratch_.data() : nullptr});
   grid_ = fresh;
-  exec_.sort(key_, cell_, order_, count_, grid_.cells());
+  exec_.sort(key_, several ? searchCell_ : cell_, order_, count_, levels_.cells());
+  if (several) exec_.forEach(count_, Gather<std::uint32_t>{order_.data(), uintScratch_.data(), cell_.data()});
 
   exec_.forEach(count_, Gather<CoarsePosition>{order_.data(), coarse_[posNow_].data(), coarse_[1 - posNow_].data()});
   if (P::fine)
@@ -120,6 +129,10 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
   }
   if (origin_.capacity()) permute(origin_, originScratch_);
 
+  const float huge = std::numeric_limits<float>::max();
+  drift_.start(exec_.reduce(count_, GrainVelocity<Real>{motion_[motNow_].data()}, JoinRanges{},
+                            VelocityRange{{huge, huge, huge}, {-huge, -huge, -huge}}),
+               scene_.timestep, scene_.skin);
   buildTable();
   setAnchors();
 }
@@ -127,23 +140,16 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
 template <class Exec, class P>
 void EngineImpl<Exec, P>::buildTable()
 {
-  const std::uint32_t cells = grid_.cells();
-  cellFirst_.reserveWithSlack(cells);
-  cellEnd_.reserveWithSlack(cells);
-  exec_.fill(cellFirst_.data(), cells, 0);
-  exec_.fill(cellEnd_.data(), cells, 0);
-  exec_.forEach(count_, CellRanges{cell_.data(), count_, cellFirst_.data(), cellEnd_.data()});
-
   BuildView<P> v{};
   v.count = count_;
   v.position = positions();
   v.mask = mask_.data();
   v.type = type_.data();
   v.tag = tag_.data();
-  v.cell = cell_.data();
-  v.cellFirst = cellFirst_.data();
-  v.cellEnd = cellEnd_.data();
-  v.grid = grid_;
+  v.cell = levels_.levels > 1 ? searchCell_.data() : cell_.data();
+  v.levels = levels_;
+  const bool dense = CellTable<Exec>::isDense(levels_.cells(), count_);
+  v.directory = cells_.build(exec_, v.cell, count_, levels_.cells(), dense);
   v.frame = frame_;
   v.skin = static_cast<float>(scene_.skin);
   v.reachSlack = reachSlackOf(frame_) + static_cast<float>(pullOffGap_);
@@ -155,10 +161,13 @@ void EngineImpl<Exec, P>::buildTable()
   v.exclude.typeTable = typeTable_.capacity() ? typeTable_.data() : nullptr;
   v.exclude.types = scene_.types;
 
+  v.cross = cross_.build(exec_, v);
+
   const ContactStore<Real> store{layout_.size, storeOffset_.data(), storePartner_.data(), storeSpring_.data()};
   table_.build(exec_, v, keepsContacts_, store, order_.data());
   report_.entriesPerGrain = static_cast<double>(table_.entries()) / count_;
-  report_.cells = cells;
+  report_.cells = levels_.cells();
+  report_.levelRadii.assign(levelRadii_.begin(), levelRadii_.end());
 }
 
 template <class Exec, class P>
@@ -171,7 +180,7 @@ void EngineImpl<Exec, P>::setAnchors()
   s.grid = grid_;
   s.frame = frame_;
   s.rule = anchorRule_;
-  s.skin = scene_.skin;
+  s.room = 0.5 * scene_.skin + drift_.room();
   attachWalls(s.wall, 0);
   for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
     if (isRegion(w)) continue;

@@ -10,7 +10,7 @@ namespace gpudem {
 template <class Exec, class P>
 void EngineImpl<Exec, P>::resetStatus()
 {
-  const Status fresh{noLimit, noParticle, noParticle};
+  const Status fresh{noLimit, noLimit, noParticle, 0u, noParticle};
   exec_.copyIn(status_.data(), &fresh, 1);
 }
 
@@ -145,6 +145,13 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   const double units = std::ldexp(1.0, P::fine ? 64 : 40);
   v.perUnit = (frame_.inverse * units).template as<Real>();
   v.reachSlack = reachSlackOf(frame_) + static_cast<float>(pullOffGap_);
+  v.driftX = coarseUnits(drift_.next().x, frame_.unit32.x);
+  v.driftY = coarseUnits(drift_.next().y, frame_.unit32.y);
+  v.driftZ = coarseUnits(drift_.next().z, frame_.unit32.z);
+  v.stepDrift = drift_.perStep().template as<float>();
+  v.refresh = true;
+  v.innerSkin = inner_.skin();
+  v.innerStepLimit2 = inner_.stepLimit2();
   const double widest = std::max(frame_.window.x, std::max(frame_.window.y, frame_.window.z));
   // two coordinates rounded to the unit (mixed), or to the 53 bits of the host's doubles
   v.touchMargin = 2.0 * std::ldexp(widest, P::fine ? -50 : roles_.fineMask() ? -39 : -31);
@@ -190,7 +197,7 @@ template <class Exec, class P>
 template <class Law, StepMode mode, WallUse walls>
 void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
 {
-  if constexpr (Exec::onGpu) exec_.forEach(count_, ContactStep<P, Law, mode, walls, RowTable<Exec, P>::W>{v});
+  if constexpr (Exec::onGpu) exec_.forEachWarp(count_, WarpContacts<P, Law, mode, walls>{v});
   else exec_.forEachChunk(chunksOf(count_, grainsPerChunk), ContactChunk<P, Law, mode, walls>{v, table_.view()});
 }
 
@@ -273,6 +280,7 @@ void EngineImpl<Exec, P>::runEvent(const StepInputs &in, const Recording &record
     exec_.fill(wallContacts_[w].data(), 8 * static_cast<std::size_t>(count_), 0);
     if (!isRegion(w)) v.wall[wallPlace_[w]].contacts = wallContacts_[w].data();
   }
+  inner_.measured();
   launchContacts(v, in, StepMode::Event);
   motNow_ = 1 - motNow_;
   Status s;
@@ -349,6 +357,8 @@ void EngineImpl<Exec, P>::beginStep(const StepInputs &next)
 {
   if (!forceValid_ && count_) throw Error("a step was begun without a force");
   exec_.forEach(count_, BeginStep<P>{view(next, next.step)});
+  inner_.drifted();
+  drift_.drifted(1);
   forceValid_ = false;
   queued_ = 0;
   queuedSteps_.assign(1, next.step);
@@ -358,6 +368,7 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
 {
   requireRows("a step");
+  if (drift_.spent()) return;
   StepView<P> v = view(in, in.step + 1);
   const int from = queued_ & 1;
   v.in = positions(posNow_ ^ from, motNow_ ^ from);
@@ -365,7 +376,11 @@ void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
   v.motionIn = motion_[motNow_ ^ from].data();
   v.motionOut = motion_[motNow_ ^ from ^ 1].data();
   v.sequence = static_cast<std::uint32_t>(++queued_);
+  v.refresh = inner_.due();
+  if (v.refresh) inner_.measured();
   launchContacts(v, in, StepMode::Fused);
+  inner_.drifted();
+  drift_.drifted(1);
   queuedSteps_.push_back(in.step);
 }
 
@@ -375,18 +390,23 @@ Progress EngineImpl<Exec, P>::flush()
   Status s;
   exec_.copyOut(&s, status_.data(), 1);
   Progress p;
-  p.needsRebuild = s.lastAllowed != noLimit;
-  p.executed = p.needsRebuild ? std::min(queued_, static_cast<int>(s.lastAllowed)) : queued_;
+  p.needsRebuild = s.rebuildAfter != noLimit;
+  const bool stopped = s.lastAllowed != noLimit;
+  p.executed = stopped ? std::min(queued_, static_cast<int>(s.lastAllowed)) : queued_;
+  drift_.drifted(p.executed - queued_);
+  p.needsRebuild = p.needsRebuild || drift_.spent();
   posNow_ ^= p.executed & 1;
   motNow_ ^= p.executed & 1;
   const std::int64_t reached = queuedSteps_.empty() ? 0 : queuedSteps_[p.executed];
   queued_ = 0;
   queuedSteps_.assign(1, reached);
   checkStatus(s, reached);
-  if (p.needsRebuild) {
-    rowsValid_ = false;
+  if (p.needsRebuild) rowsValid_ = false;
+  if (stopped) {
+    inner_.forget();
     resetStatus();
   }
+  inner_.plan(floatOf(s.longestStep2));
   return p;
 }
 

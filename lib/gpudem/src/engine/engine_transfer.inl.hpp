@@ -19,7 +19,7 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   }
   for (const auto *a : {&type_, &image_, &intScratch_, &tag_, &storePartner_}) add(*a);
   for (const auto *a :
-       {&mask_, &hostIndex_, &cell_, &key_, &order_, &anchor_, &uintScratch_, &cellFirst_, &cellEnd_, &storeOffset_})
+       {&mask_, &hostIndex_, &cell_, &key_, &order_, &anchor_, &uintScratch_, &searchCell_, &storeOffset_})
     add(*a);
   for (const auto *a : {&force_, &torque_, &vecScratch_}) add(*a);
   for (const auto *a : {&origin_, &originScratch_}) add(*a);
@@ -27,6 +27,8 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   for (const auto &a : wallHistory_) add(a);
   for (const auto &a : regionLoad_) add(a);
   add(models_);
+  add(cells_);
+  add(cross_);
   add(blockScratch_);
   for (const auto &a : termBefore_) add(a);
   for (const auto &a : wallContacts_) add(a);
@@ -122,7 +124,7 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
   rowsValid_ = false;
   queued_ = 0;
   resetStatus();
-  grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_), count_);
+  grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_), mostCells);
   frame_ = chooseFrame(box, grid_);
   anchorRule_ = chooseAnchors(frame_, scene_.skin);
   for (int d = 0; d < 3; ++d) {
@@ -174,6 +176,8 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
   Motion<Real> *motion = motion_[motNow_].data();
   const auto vectors = [&](const double *p) { return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_); };
   if ((fields & fieldShape) && host.radius) {
+    levelRadii_ = chooseLevels(host.radius, count_, scene_.largestRadius, scene_.levels, scene_.levelRatio,
+                               scene_.multigridFrom);
     exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), index, positions()});
     exec_.forEach(count_, ImportMass<Real>{stageIn(host.mass, count_), index, motion});
     rowsValid_ = false;

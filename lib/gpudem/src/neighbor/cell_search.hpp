@@ -48,10 +48,12 @@ template <class P>
 void collectCandidates(const BuildView<P> &v, std::uint32_t cell, std::uint32_t begin, CandidateList &list)
 {
   list.clear();
-  const std::uint32_t own = v.cellFirst[cell] > begin ? v.cellFirst[cell] : begin;
-  forEachCellAround(v.grid, cell, [&](std::uint32_t other) {
-    std::uint32_t first = v.cellFirst[other];
-    const std::uint32_t end = v.cellEnd[other];
+  std::uint32_t own, ownEnd;
+  v.directory.grains(cell, own, ownEnd);
+  own = own > begin ? own : begin;
+  forEachOwnCell(v.levels, cell, [&](std::uint32_t other) {
+    std::uint32_t first, end;
+    v.directory.grains(other, first, end);
     list.makeRoom(end - first);
     for (; first < end && first < begin; ++first) list.add(v.position.coarse[first], first);
     for (first = first > own ? first : own; first < end; ++first) list.add(v.position.coarse[first], first);
@@ -87,11 +89,11 @@ std::size_t findNear(const BuildView<P> &v, std::uint32_t i, CandidateList &list
   return n;
 }
 
-/// Call pair(i, j) for each pair with a grain of [begin, end); a pair within the range comes once, with i < j.
+/// Call pair(i, j) for each pair with a grain of [begin, end); a pair within the range comes once.
 template <class P, class Pair>
 void forEachPair(const BuildView<P> &v, std::uint32_t begin, std::uint32_t end, CandidateList &list, Pair &&pair)
 {
-  const bool anyExclusion = v.exclude.groups > 0 || v.exclude.typeTable != nullptr;
+  const bool anyExclusion = v.exclude.any();
   for (std::uint32_t i = begin; i < end; ++i) {
     if (i == begin || v.cell[i] != v.cell[i - 1]) collectCandidates(v, v.cell[i], begin, list);
     const std::size_t n = findNear(v, i, list);
@@ -100,6 +102,12 @@ void forEachPair(const BuildView<P> &v, std::uint32_t begin, std::uint32_t end, 
       if (j == i || (j < i && j >= begin)) continue;
       if (anyExclusion && v.exclude.excluded(v.mask[i], v.mask[j], v.type[i], v.type[j])) continue;
       pair(i, j);
+    }
+    if (!v.cross.offset) continue;
+    for (std::uint32_t k = v.cross.offset[i]; k < v.cross.offset[i + 1]; ++k) pair(i, v.cross.coarser[k]);
+    for (std::uint32_t k = v.cross.first[i]; k < v.cross.end[i]; ++k) {
+      const std::uint32_t j = v.cross.finer[k];
+      if (j < begin || j >= end) pair(i, j);  // within the range the finer grain lists the pair
     }
   }
 }

@@ -21,12 +21,11 @@ inline double reachOf(const SceneSpec &scene, double pullOffGap)
   return 2.0 * scene.largestRadius + pullOffGap + scene.skin;
 }
 
-/// Cells of at least one reach. \p count bounds the number of cells to what the grains are worth.
-inline CellGrid chooseGrid(const Box &box, double reach, std::size_t count)
+/// Cells of at least one reach, larger if there were more than \p most of them.
+inline CellGrid chooseGrid(const Box &box, double reach, double most)
 {
   if (!(reach > 0.0)) throw Error("the largest radius plus the skin must be positive");
   CellGrid g{};
-  const double most = std::max<double>(1 << 20, 16.0 * static_cast<double>(count));
   for (double edge = reach;; edge *= 1.25) {
     for (int d = 0; d < 3; ++d) {
       const double length = box.hi[d] - box.lo[d];

@@ -3,7 +3,7 @@
 /// \file Placing grains before the rows are built: wrap into the box, cell keys, extents, anchors.
 #pragma once
 
-#include "neighbor/cell_grid.hpp"
+#include "neighbor/levels.hpp"
 #include "step/step_view.hpp"
 #include "wall/analytic_wall.hpp"
 
@@ -22,18 +22,21 @@ GPUDEM_HD int shiftImage(int image, int d, int by)
   return (image & ~(1023 << low)) | (((flag + by) & 1023) << low);
 }
 
-/// New cell of each grain; wraps the image flags. Fixed-point positions need no change.
+/// New cells of each grain, and its image flags wrapped. Fixed-point positions need no change.
 template <class P>
 struct PlaceGrains {
   static constexpr int blockSize = 256;
   static constexpr int minimumBlocks = 1;
   PositionArrays<P> position;
   const std::uint32_t *cell;
-  CellGrid oldGrid, newGrid;
+  CellGrid oldGrid;
+  LevelGrid levels;
+  CellGrid newGrid;
   Frame frame;
   BoxView box;
   int *image;
-  std::uint32_t *key;
+  std::uint32_t *key;   ///< cells to search in, numbered through the levels
+  std::uint32_t *home;  ///< cells of newGrid, null where they are the same
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
@@ -46,7 +49,8 @@ struct PlaceGrains {
       x[d] -= crossed * length;
       image[i] = shiftImage(image[i], d, crossed);
     }
-    key[i] = newGrid.cellOf(x);
+    key[i] = levels.cellOf(x, position.coarse[i].radius);
+    if (home) home[i] = newGrid.cellOf(x);
   }
 };
 
@@ -153,7 +157,7 @@ struct SetAnchors {
   CellGrid grid;
   Frame frame;
   AnchorRule rule;
-  double skin;
+  double room;  ///< how far a grain may move until the next rebuild (distance)
   int walls;
   WallView<Real> wall[maxWalls];
   double wallLoReach[maxWalls], wallHiReach[maxWalls];  ///< how far a wiggling plane moves up and down
@@ -170,7 +174,7 @@ struct SetAnchors {
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
       const std::uint32_t roles = motion[i].word;
       for (int w = 0; w < walls; ++w) {
-        if ((roles & wall[w].role) && within(w, x, p.radius + wallPull[w] + 0.5 * skin)) a |= nearWallBit;
+        if ((roles & wall[w].role) && within(w, x, p.radius + wallPull[w] + room)) a |= nearWallBit;
       }
       if (!(a & nearWallBit))
         for (int w = 0; w < walls; ++w)

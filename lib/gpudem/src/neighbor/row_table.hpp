@@ -19,14 +19,15 @@ class RowTable {
 
   View view()
   {
-    return {start_.data(), maskStart_.data(), count_.data(), neighbor_.data(), touch_.data(), spring_.data()};
+    return {start_.data(), maskStart_.data(), count_.data(), near_.data(), neighbor_.data(), touch_.data(),
+            spring_.data()};
   }
   /// Entries of all rows, padding included.
   std::uint64_t entries() const { return entries_; }
   std::size_t bytes() const
   {
     return count_.bytes() + sliceEntries_.bytes() + sliceWords_.bytes() + start_.bytes() + maskStart_.bytes() +
-           neighbor_.bytes() + touch_.bytes() + spring_.bytes();
+           near_.bytes() + neighbor_.bytes() + touch_.bytes() + spring_.bytes();
   }
 
   /// \param contacts the table remembers which pairs are in contact, with store.size numbers each
@@ -46,6 +47,7 @@ class RowTable {
     const std::uint64_t words = exec.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices);
     if (entries_ >> 32) throw Error(fmt::format("{} neighbour entries exceed the 32-bit index of the rows", entries_));
     neighbor_.reserveWithSlack(entries_);
+    near_.reserveWithSlack(words);
     if (contacts) {
       touch_.reserveWithSlack(words);
       spring_.reserveWithSlack(size_ * entries_);
@@ -83,7 +85,7 @@ class RowTable {
   template <class T>
   using Array = typename Exec::template Array<T>;
   Array<std::uint32_t> count_{"row lengths"}, sliceEntries_{"slice widths"}, sliceWords_{"slice words"},
-      start_{"row starts"}, maskStart_{"touch starts"}, neighbor_{"neighbour rows"}, touch_{"touch bits"};
+      start_{"row starts"}, maskStart_{"touch starts"}, near_{"inner list"}, neighbor_{"neighbour rows"}, touch_{"touch bits"};
   Array<Real> spring_{"tangential springs"};
   std::uint64_t entries_ = 0;
   int size_ = 0;  ///< numbers per contact

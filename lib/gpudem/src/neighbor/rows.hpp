@@ -3,7 +3,8 @@
 /// \file Building the neighbour rows: keys, counts, entries, and the springs carried into them.
 #pragma once
 
-#include "neighbor/cell_grid.hpp"
+#include "neighbor/cell_directory.hpp"
+#include "neighbor/levels.hpp"
 #include "step/step_view.hpp"
 
 namespace gpudem {
@@ -15,6 +16,7 @@ struct ExclusionView {
   const std::uint8_t *typeTable;  ///< [(types+1)^2], null if no type is excluded
   int types;
 
+  GPUDEM_HD bool any() const { return groups > 0 || typeTable != nullptr; }
   GPUDEM_HD bool excluded(std::uint32_t maskI, std::uint32_t maskJ, int typeI, int typeJ) const
   {
     for (int g = 0; g < groups; ++g)
@@ -44,6 +46,14 @@ inline Keeping keepingOf(bool contacts, int size)
   return !contacts ? Keeping::Nothing : size == 3 ? Keeping::Springs : Keeping::Blocks;
 }
 
+/// Neighbours of other levels: those of grain i are coarser[offset[i] .. offset[i+1]) and finer[first[i] .. end[i]).
+struct CrossView {
+  const std::uint32_t *offset;  ///< [n+1], null if there is one level
+  const std::uint32_t *coarser;
+  const std::uint32_t *first, *end;  ///< [n]
+  const std::uint32_t *finer;
+};
+
 template <class P>
 struct BuildView {
   using Real = typename P::Real;
@@ -52,32 +62,33 @@ struct BuildView {
   const std::uint32_t *mask;  ///< [n] group bits
   const int *type;
   const std::int32_t *tag;
-  const std::uint32_t *cell;                 ///< [n] sorted
-  const std::uint32_t *cellFirst, *cellEnd;  ///< [cells]
-  CellGrid grid;
+  const std::uint32_t *cell;  ///< [n] sorted, numbered through the levels
+  CellDirectory directory;
+  LevelGrid levels;
+  CrossView cross;
   Frame frame;
   float skin;
   float reachSlack;
   ExclusionView exclude;
 };
 
-/// Call visit(j, touches) for every grain j != i in the cells around i that lies within the coarse reach; \p touches
-/// is wrong to the safe side only.
+/// Call visit(j, touches) for every grain j != i of any level that lies within the coarse reach; \p touches is wrong to
+/// the safe side only.
 template <class P, class Visit>
 GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
 {
   const CoarsePosition p = v.position.coarse[i];
   const std::uint32_t mask = v.mask[i];
-  const float ux = static_cast<float>(v.frame.unit32.x), uy = static_cast<float>(v.frame.unit32.y),
-              uz = static_cast<float>(v.frame.unit32.z);
-  const bool anyExclusion = v.exclude.groups > 0 || v.exclude.typeTable != nullptr;
-  forEachCellAround(v.grid, v.cell[i], [&](std::uint32_t cell) {
-    const std::uint32_t end = v.cellEnd[cell];
-    for (std::uint32_t j = v.cellFirst[cell]; j < end; ++j) {
+  const Vec3<float> unit = v.frame.unit32.template as<float>();
+  const bool anyExclusion = v.exclude.any();
+  forEachOwnCell(v.levels, v.cell[i], [&](std::uint32_t cell) {
+    std::uint32_t j, end;
+    v.directory.grains(cell, j, end);
+    for (; j < end; ++j) {
       const CoarsePosition q = v.position.coarse[j];
-      const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - q.x)) * ux;
-      const float dy = static_cast<float>(static_cast<std::int32_t>(p.y - q.y)) * uy;
-      const float dz = static_cast<float>(static_cast<std::int32_t>(p.z - q.z)) * uz;
+      const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - q.x)) * unit.x;
+      const float dy = static_cast<float>(static_cast<std::int32_t>(p.y - q.y)) * unit.y;
+      const float dz = static_cast<float>(static_cast<std::int32_t>(p.z - q.z)) * unit.z;
       const float contact = (p.radius + q.radius) * 1.000001f + v.reachSlack, reach = contact + v.skin;
       const float distance2 = dx * dx + dy * dy + dz * dz;
       if (distance2 >= reach * reach || j == i) continue;
@@ -85,6 +96,15 @@ GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&v
       visit(j, distance2 < contact * contact);
     }
   });
+  if (!v.cross.offset) return;
+  const auto listed = [&](const std::uint32_t *list, std::uint32_t from, std::uint32_t to) {
+    for (; from < to; ++from) {
+      const std::uint32_t j = list[from];
+      visit(j, mayTouch(p, v.position.coarse[j], unit, v.reachSlack));
+    }
+  };
+  listed(v.cross.coarser, v.cross.offset[i], v.cross.offset[i + 1]);
+  listed(v.cross.finer, v.cross.first[i], v.cross.end[i]);
 }
 
 template <class P>
@@ -141,7 +161,7 @@ struct FillRows {
     std::uint32_t *word = history ? touch + maskStart[slice] + lane : nullptr;
     std::uint32_t from = 0, to = 0;
     if (history) {
-      const std::uint32_t words = (length[i] + 31) / 32;
+      const std::uint32_t words = (maskStart[slice + 1] - maskStart[slice]) / W;
       for (std::uint32_t w = 0; w < words; ++w) word[w * W] = 0;
       from = store.offset[oldIndex[i]];
       to = store.offset[oldIndex[i] + 1];

@@ -8,6 +8,22 @@
 
 namespace gpudem {
 
+template <class Real>
+struct WallLoad {
+  Vec3<Real> force, torque;
+};
+
+/// Force and torque of a wall on grain \p i, which was within its reach when the rows were built.
+template <WallUse walls, class P>
+GPUDEM_RARE WallLoad<typename P::Real> wallLoad(const StepView<P> &s, int wall, std::uint32_t i, const FixedPosition &p,
+                                                const Motion<typename P::Real> &m)
+{
+  using Real = typename P::Real;
+  const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame);
+  const ContactForce<Real> c = wallForce<walls>(s.wall[wall], i, s.count, x, p.radius, m, s.dt, s.advanceSprings);
+  return {c.force, c.moment - c.couple * (static_cast<Real>(p.radius) - c.shorter)};
+}
+
 /// \param walls  what of the wall code the kernel holds
 /// \param anchor its bits say whether the grain was within reach of a wall when the rows were built
 template <WallUse walls, class P>
@@ -46,11 +62,11 @@ GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const Fixe
         break;
       case ForceTermKind::Wall:
         if (walls != WallUse::None && (anchor & nearWallBit)) {
-          const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame);
-          const ContactForce<Real> c =
-              wallForce<walls>(s.wall[term.wall], i, s.count, x, p.radius, m, s.dt, s.advanceSprings);
-          force += c.force;
-          torque += c.moment - c.couple * (static_cast<Real>(p.radius) - c.shorter);
+          const FixedPosition at = p;  // copies, or the originals would have to live in memory
+          const Motion<Real> motion = m;
+          const WallLoad<Real> load = wallLoad<walls>(s, term.wall, i, at, motion);
+          force += load.force;
+          torque += load.torque;
         }
         break;
       case ForceTermKind::RegionWall:

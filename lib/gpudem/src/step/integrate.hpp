@@ -144,23 +144,25 @@ enum Alarm : std::uint32_t {
   brokenAlarm = 2,  ///< not a number, or farther in this step than a cell
 };
 
+/// \param moved did an integrator move the grain
 /// \return bits of Alarm
 template <class P>
 GPUDEM_HD std::uint32_t alarmOf(const StepView<P> &s, std::uint32_t anchor, const CoarsePosition &now,
-                                const Motion<typename P::Real> &m)
+                                const Motion<typename P::Real> &m, bool moved)
 {
   using Real = typename P::Real;
   const AnchorRule &rule = s.anchorRule;
   const float ux = static_cast<float>(s.frame.unit32.x), uy = static_cast<float>(s.frame.unit32.y),
               uz = static_cast<float>(s.frame.unit32.z);
-  const float step2 = static_cast<float>((m.vx * m.vx + m.vy * m.vy + m.vz * m.vz) * s.dt * s.dt);
+  const Real speed2 = m.vx * m.vx + m.vy * m.vy + m.vz * m.vz;
+  const float step2 = moved ? static_cast<float>(speed2 * s.dt * s.dt) : 0.0f;
   const Real sum = m.vx + m.vy + m.vz + m.wx + m.wy + m.wz;
-  const bool broken = !(step2 <= rule.lost2) | (sum - sum != Real(0));
+  const bool broken = moved & (!(step2 <= rule.lost2) | (sum - sum != Real(0)));
 
   // the anchor keeps 10 bits: wrap the difference to shift + 10 bits and measure from the quantum's middle
-  const float dx = anchorDistance(now.x, anchor & 1023u, rule.shiftX) * ux;
-  const float dy = anchorDistance(now.y, (anchor >> 10) & 1023u, rule.shiftY) * uy;
-  const float dz = anchorDistance(now.z, (anchor >> 20) & 1023u, rule.shiftZ) * uz;
+  const float dx = anchorDistance(now.x - s.driftX, anchor & 1023u, rule.shiftX) * ux;
+  const float dy = anchorDistance(now.y - s.driftY, (anchor >> 10) & 1023u, rule.shiftY) * uy;
+  const float dz = anchorDistance(now.z - s.driftZ, (anchor >> 20) & 1023u, rule.shiftZ) * uz;
   const bool spent = (dx * dx + dy * dy + dz * dz > rule.limit2) | (step2 > rule.stepLimit2);
   return (spent ? spentAlarm : 0u) | (broken ? brokenAlarm : 0u);
 }
@@ -168,8 +170,29 @@ GPUDEM_HD std::uint32_t alarmOf(const StepView<P> &s, std::uint32_t anchor, cons
 template <class P>
 GPUDEM_HD void raiseAlarm(const StepView<P> &s, std::uint32_t i, std::uint32_t alarm)
 {
-  if (alarm) atomicLower(&s.status->lastAllowed, s.sequence);
+  if (alarm && s.status->rebuildAfter > s.sequence) {
+    atomicLower(&s.status->lastAllowed, s.sequence);
+    atomicLower(&s.status->rebuildAfter, s.sequence);
+  }
   if (alarm & brokenAlarm) atomicLower(&s.status->badParticle, i);
+}
+
+/// Squared displacement of a step against the motion that all grains share (distance^2).
+template <class P>
+GPUDEM_HD float strayed2(const StepView<P> &s, const CoarsePosition &now, const CoarsePosition &before)
+{
+  const float dx = static_cast<float>(static_cast<std::int32_t>(now.x - before.x)) * s.coarseUnit.x - s.stepDrift.x;
+  const float dy = static_cast<float>(static_cast<std::int32_t>(now.y - before.y)) * s.coarseUnit.y - s.stepDrift.y;
+  const float dz = static_cast<float>(static_cast<std::int32_t>(now.z - before.z)) * s.coarseUnit.z - s.stepDrift.z;
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/// A step was longer than the inner list allows for: later launches must wait until distances are measured anew.
+template <class P>
+GPUDEM_HD void raiseStale(const StepView<P> &s, float moved2)
+{
+  atomicLower(&s.status->lastAllowed, s.sequence);
+  atomicRaise(&s.status->longestStep2, bitsOf(moved2));
 }
 
 }  // namespace gpudem

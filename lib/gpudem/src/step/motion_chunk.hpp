@@ -90,9 +90,6 @@ class MotionChunk {
                  random, m);
       driftSphere(s, p, m);
       const bool active = (word_[g] & it.role) != 0;
-      const std::uint32_t alarm = alarmOf(s, anchor_[g], coarsePart(p), m) & (active ? ~0u : 0u);
-      alarm_[g] = alarm;
-      alarms |= alarm;
       x_[g] = active ? p.x : x_[g];
       y_[g] = active ? p.y : y_[g];
       z_[g] = active ? p.z : z_[g];
@@ -102,6 +99,9 @@ class MotionChunk {
       wx_[g] = active ? m.wx : wx_[g];
       wy_[g] = active ? m.wy : wy_[g];
       wz_[g] = active ? m.wz : wz_[g];
+      const std::uint32_t alarm = alarmOf(s, anchor_[g], coarsePart(positionAt(g)), motionAt(g), active);
+      alarm_[g] = alarm;
+      alarms |= alarm;
     }
     if (!alarms) return;
     for (std::uint32_t g = 0; g < count; ++g) raiseAlarm(s, begin + g, alarm_[g]);

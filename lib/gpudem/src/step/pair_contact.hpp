@@ -139,7 +139,7 @@ GPUDEM_HD bool gatherPair(const StepView<P> &s, const Self<P> &self, std::uint32
   g.surfaceSpin = {symmetricSum(ri, m.wx, rj, o.wx), symmetricSum(ri, m.wy, rj, o.wy),
                    symmetricSum(ri, m.wz, rj, o.wz)};
   if (Law::takesSpinDifference) g.spinDifference = {m.wx - o.wx, m.wy - o.wy, m.wz - o.wz};
-  if (Law::takesInertia(s)) g.inertia = pairInertia(m, o, ri, rj, s.frozenRole);
+  g.inertia = Law::takesInertia(s) ? pairInertia(m, o, ri, rj, s.frozenRole) : Real(0);
   return touches;
 }
 

@@ -71,7 +71,7 @@ struct MarkNearRegion {
   Frame frame;
   std::uint32_t role;
   bool sweeps;
-  double margin;  ///< half the skin and the gap across which the wall pulls (distance)
+  double margin;  ///< how far a grain may move until the next rebuild, and the gap across which the wall pulls (distance)
   const RegionShape *shape;
   int parts;
   Real *history;  ///< [n][historySize] or null

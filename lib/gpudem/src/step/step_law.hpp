@@ -16,6 +16,7 @@ struct ClassicLaw {
   static constexpr bool beyondTouch = false;
   static constexpr bool takesRadius = normal == NormalModel::Hertz;  ///< reads the effective radius
   static constexpr bool takesSpinDifference = false;
+  static constexpr bool torques = tangential != TangentialModel::None;  ///< contacts turn the grains
   static constexpr bool moments = false;  ///< torques without an arm, and arms shorter than the radius
 
   template <class Real>
@@ -88,6 +89,7 @@ struct ModelLaw {
   static constexpr bool beyondTouch = Members::beyondTouch;
   static constexpr bool takesRadius = true;
   static constexpr bool takesSpinDifference = Members::takesSpinDifference;
+  static constexpr bool torques = true;
   static constexpr bool moments = true;
 
   template <class Real>

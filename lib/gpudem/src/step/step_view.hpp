@@ -14,7 +14,9 @@ namespace gpudem {
 /// Progress and alarms, shared by host and device.
 struct Status {
   std::uint32_t lastAllowed;  ///< launches with a larger sequence number do nothing
+  std::uint32_t rebuildAfter;  ///< launch after which the rows must be built anew, or noLimit
   std::uint32_t badParticle;  ///< smallest device index with a broken state, noParticle if none
+  std::uint32_t longestStep2;  ///< bits of the largest squared displacement in a step seen so far (float, distance^2)
   std::uint32_t crowded;  ///< smallest device index with more contacts to a region than the wall keeps, or noParticle
 };
 constexpr std::uint32_t noParticle = 0xffffffffu;
@@ -28,6 +30,7 @@ struct RowView {
   const std::uint32_t *start;      ///< [slices] first entry of the slice
   const std::uint32_t *maskStart;  ///< [slices] first touch word of the slice
   const std::uint32_t *count;      ///< [n] entries of the row
+  std::uint32_t *near;             ///< [words] bit k: entry is within the inner reach
   const std::uint32_t *neighbor;   ///< [entries] device index
   std::uint32_t *touch;            ///< [words] bit k: entry is in contact (laws that keep something only)
   Real *spring;                    ///< [entries][size] what the contact keeps
@@ -122,6 +125,13 @@ struct StepView {
   Vec3<float> coarseUnit;     ///< window/2^32
   Vec3<Real> perUnit;         ///< stored fixed-point units per distance
   float reachSlack;           ///< added to a sum of radii so that the coarse test misses no contact
+
+  std::uint32_t driftX, driftY, driftZ;  ///< of all grains since the last rebuild, after this step (coarse units)
+  Vec3<float> stepDrift;                 ///< of all grains in a step (distance)
+
+  bool refresh;           ///< GPU: measure the distances of all entries and mark those within the inner reach
+  float innerSkin;        ///< inner reach less contact (distance), see InnerList
+  float innerStepLimit2;  ///< squared displacement of a step that the inner list allows for (distance^2)
 
   double touchMargin;  ///< twice the resolution of a distance: less overlap is no contact (distance)
 

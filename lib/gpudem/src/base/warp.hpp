@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file What the 32 lanes of a warp do together. All lanes must call each of these. On the host they are declared only:
+/// the tests define them, and run the code of the GPU lane by lane (unittest/testing/emulated_warp.h).
+#pragma once
+
+#include "base/annotate.hpp"
+
+#include <cstdint>
+
+namespace gpudem {
+
+constexpr std::uint32_t warpWidth = 32;
+
+namespace host {
+std::uint32_t lane();
+std::uint32_t gather(std::uint32_t value, std::uint32_t (*join)(const std::uint32_t *all, std::uint32_t argument),
+                     std::uint32_t argument);
+}  // namespace host
+
+GPUDEM_HD std::uint32_t warpLane()
+{
+#ifdef __CUDA_ARCH__
+  return threadIdx.x % warpWidth;
+#else
+  return host::lane();
+#endif
+}
+
+/// Bit k: \p condition of lane k.
+GPUDEM_HD std::uint32_t warpBallot(bool condition)
+{
+#ifdef __CUDA_ARCH__
+  return __ballot_sync(0xffffffffu, condition);
+#else
+  const auto join = [](const std::uint32_t *all, std::uint32_t) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t k = 0; k < warpWidth; ++k) bits |= all[k] << k;
+    return bits;
+  };
+  return host::gather(condition ? 1u : 0u, join, 0);
+#endif
+}
+
+GPUDEM_HD bool warpAny(bool condition)
+{
+#ifdef __CUDA_ARCH__
+  return __any_sync(0xffffffffu, condition);
+#else
+  return warpBallot(condition) != 0;
+#endif
+}
+
+/// \p value of lane \p from.
+GPUDEM_HD std::uint32_t warpShuffle(std::uint32_t value, std::uint32_t from)
+{
+#ifdef __CUDA_ARCH__
+  return __shfl_sync(0xffffffffu, value, static_cast<int>(from));
+#else
+  return host::gather(value, [](const std::uint32_t *all, std::uint32_t k) { return all[k]; }, from);
+#endif
+}
+
+/// Largest \p value of all lanes.
+GPUDEM_HD std::uint32_t warpMax(std::uint32_t value)
+{
+#ifdef __CUDA_ARCH__
+  return __reduce_max_sync(0xffffffffu, value);
+#else
+  const auto join = [](const std::uint32_t *all, std::uint32_t) {
+    std::uint32_t most = 0;
+    for (std::uint32_t k = 0; k < warpWidth; ++k) most = all[k] > most ? all[k] : most;
+    return most;
+  };
+  return host::gather(value, join, 0);
+#endif
+}
+
+/// What the lanes wrote to their shared memory before is seen by all after.
+GPUDEM_HD void warpSync()
+{
+#ifdef __CUDA_ARCH__
+  __syncwarp();
+#else
+  warpBallot(false);
+#endif
+}
+
+/// Clear bits of a word that several lanes may change at a time.
+GPUDEM_HD void clearShared(std::uint32_t *word, std::uint32_t bits)
+{
+#ifdef __CUDA_ARCH__
+  atomicAnd(word, ~bits);
+#else
+  *word &= ~bits;
+#endif
+}
+
+/// The word as other multiprocessors left it, past this one's cache.
+GPUDEM_HD std::uint32_t readFresh(const std::uint32_t *word)
+{
+#ifdef __CUDA_ARCH__
+  return __ldcg(word);
+#else
+  return *word;
+#endif
+}
+
+}  // namespace gpudem

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file Pairs of grains of different levels: found from the finer grain, listed at both.
+///
+/// The finer grains write their coarser neighbours one grain after the other; a stable sort by the coarser grain turns
+/// that list round. Both orders depend on the order of the grains alone.
+#pragma once
+
+#include "neighbor/rows.hpp"
+
+namespace gpudem {
+
+/// Call visit(j) for every grain j of a coarser level within the coarse reach of grain i.
+template <class P, class Visit>
+GPUDEM_HD void forEachCoarserNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
+{
+  const CoarsePosition p = v.position.coarse[i];
+  const std::uint32_t mask = v.mask[i];
+  const Vec3<float> unit = v.frame.unit32.template as<float>();
+  const bool anyExclusion = v.exclude.any();
+  const std::uint32_t cell = v.cell[i];
+  const int own = v.levels.levelOfCell(cell);
+  for (int coarser = own + 1; coarser < v.levels.levels; ++coarser) {
+    const float reach = (v.levels.largest[own] + v.levels.largest[coarser]) * 1.00001f + v.reachSlack + v.skin;
+    forEachCoarserCell(v.levels, cell, coarser, static_cast<double>(reach), [&](std::uint32_t c) {
+      std::uint32_t j, end;
+      v.directory.grains(c, j, end);
+      for (; j < end; ++j) {
+        if (!mayTouch(p, v.position.coarse[j], unit, v.reachSlack + v.skin)) continue;
+        if (anyExclusion && v.exclude.excluded(mask, v.mask[j], v.type[i], v.type[j])) continue;
+        visit(j);
+      }
+    });
+  }
+}
+
+template <class P>
+struct CountCoarser {
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = 8;
+  BuildView<P> v;
+  std::uint32_t *out;  ///< [n]
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    std::uint32_t n = 0;
+    forEachCoarserNeighbor(v, i, [&](std::uint32_t) { ++n; });
+    out[i] = n;
+  }
+};
+template <class P>
+struct ListCoarser {
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = 8;
+  BuildView<P> v;
+  const std::uint32_t *offset;  ///< [n+1]
+  std::uint32_t *coarser, *finer;
+  GPUDEM_HD void operator()(std::uint32_t i) const
+  {
+    std::uint32_t to = offset[i];
+    forEachCoarserNeighbor(v, i, [&](std::uint32_t j) {
+      coarser[to] = j;
+      finer[to++] = i;
+    });
+  }
+};
+
+template <class Exec, class P>
+class CrossLevels {
+ public:
+  CrossView build(Exec &exec, const BuildView<P> &v)
+  {
+    CrossView c{};
+    if (v.levels.levels < 2) return c;
+    const std::size_t n = v.count;
+    first_.reserve(n);
+    end_.reserve(n);
+    offset_.reserve(n + 1);
+    exec.forEach(v.count, CountCoarser<P>{v, first_.data()});
+    const std::uint64_t pairs = exec.exclusiveScan(first_.data(), offset_.data(), v.count);
+    if (pairs >> 32) throw Error(fmt::format("{} pairs of grains of different levels exceed the 32-bit index", pairs));
+    const auto m = static_cast<std::uint32_t>(pairs);
+    for (auto *a : {&coarser_, &finer_, &sorted_, &order_}) a->reserveWithSlack(pairs);
+    exec.forEach(v.count, ListCoarser<P>{v, offset_.data(), coarser_.data(), finer_.data()});
+    exec.sort(coarser_, sorted_, order_, m, v.count);
+    exec.fill(first_.data(), n, 0);
+    exec.fill(end_.data(), n, 0);
+    exec.forEach(m, CellRanges{sorted_.data(), m, first_.data(), end_.data()});
+    exec.forEach(m, Gather<std::uint32_t>{order_.data(), finer_.data(), sorted_.data()});
+    return {offset_.data(), coarser_.data(), first_.data(), end_.data(), sorted_.data()};
+  }
+  std::size_t bytes() const
+  {
+    return offset_.bytes() + first_.bytes() + end_.bytes() + coarser_.bytes() + finer_.bytes() + sorted_.bytes() +
+           order_.bytes();
+  }
+
+ private:
+  using Array = typename Exec::template Array<std::uint32_t>;
+  Array offset_{"coarser partners"}, first_{"finer partners"}, end_{"finer partners (2)"},
+      coarser_{"pairs across levels"}, finer_{"pairs across levels (2)"}, sorted_{"pairs across levels (3)"},
+      order_{"pairs across levels (4)"};
+};
+
+}  // namespace gpudem

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The step on the GPU: all forces on the 32 grains of a warp, then their motion. The heart of the program.
+///
+/// A row lists the grains within the sum of radii plus the skin. Inside it, a bit per entry marks those near enough to
+/// touch within the next steps (the inner reach); only a launch that refreshes these bits looks at the whole row, the
+/// others visit the marked entries alone. Candidates of the 32 grains form one queue, so that all lanes evaluate
+/// contacts though the rows differ in their number. Afterwards every grain collects its sums from the lanes that
+/// worked for it, in the order of its row, and writes only to itself: no atomics, no reverse communication, and the
+/// same bits in every run.
+#pragma once
+
+#include "base/warp.hpp"
+#include "step/contact_step.hpp"
+
+namespace gpudem {
+
+template <class P, class Law, StepMode mode, WallUse walls>
+struct WarpContacts {
+  using Real = typename P::Real;
+  static constexpr std::uint32_t W = warpWidth, allLanes = 0xffffffffu;
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = Law::moments ? (P::fine ? 4 : 6) : (P::fine ? 5 : 8);
+  static constexpr std::uint32_t capacity = 256;  ///< contacts in the queue
+  static constexpr int loads = mode == StepMode::Event ? 12 : Law::torques ? 6 : 3;  ///< force, torque, virial
+
+  /// What the lanes of a warp share.
+  struct Shared {
+    Real sum[loads][W];           ///< over the contacts of each grain
+    std::uint32_t old[W], now[W]; ///< entries in contact before and after, of the word at hand
+    std::uint16_t queue[capacity];  ///< contacts to visit: rank * 1024 + lane of the grain * 32 + bit of the entry
+  };
+
+  StepView<P> s;
+
+  /// All lanes of a warp call this together; \p i is the grain of the lane if \p inRange.
+  GPUDEM_HD void operator()(std::uint32_t i, bool inRange, Shared &shared) const
+  {
+    if (s.sequence > s.status->lastAllowed) return;
+    const std::uint32_t lane = warpLane(), slice = i / W;
+    const std::uint32_t base = s.rows.start[slice], wordStart = s.rows.maskStart[slice];
+    const std::uint32_t words = (s.rows.maskStart[slice + 1] - wordStart) / W;
+    const CoarsePosition c = s.in.coarse[inRange ? i : s.count - 1];
+    const std::uint32_t length = inRange && s.refresh ? s.rows.count[i] : 0u;
+    if (inRange) prefetchLine(s.motionIn + i);
+    GPUDEM_UNROLL
+    for (int d = 0; d < loads; ++d) shared.sum[d][lane] = Real(0);
+    for (std::uint32_t w = 0; w < words; ++w) {
+      const std::uint32_t word = wordStart + w * W + lane, first = w * 32;
+      std::uint32_t near = 0, old = 0;
+      if (!s.refresh && inRange) near = s.rows.near[word];
+      if (Law::keeps(s) && inRange) old = s.rows.touch[word];
+      std::uint32_t bits = s.refresh ? measure(base + lane, length, first, c, near) : pick(base + lane, first, near, c);
+      if (s.refresh && inRange) s.rows.near[word] = near;
+      if (!warpAny((bits | old) != 0)) continue;
+      const std::uint32_t now = visit(base, i - lane, first, bits, old, shared);
+      if (Law::keeps(s) && inRange && now != old) s.rows.touch[word] = now;
+    }
+    float moved2 = 0.0f;
+    if (inRange) {
+      Motion<Real> m = s.motionIn[i];
+      FixedPosition p = loadPosition(s.in, i, m.word);
+      const auto sum = [&](int d) { return d < loads ? shared.sum[d][lane] : Real(0); };
+      Real virial[6] = {};
+      if (mode == StepMode::Event)
+        for (int d = 0; d < 6; ++d) virial[d] = sum(6 + d);
+      completeGrain<mode, walls>(s, i, p, m, Vec3<Real>{sum(0), sum(1), sum(2)}, Vec3<Real>{sum(3), sum(4), sum(5)},
+                                 virial);
+      if (mode == StepMode::Fused) moved2 = strayed2(s, coarsePart(p), c);
+    }
+    if (mode == StepMode::Fused) watchStep(moved2);
+  }
+
+ private:
+  /// Does the inner list stay right, and how long are the steps?
+  GPUDEM_HD void watchStep(float moved2) const
+  {
+    if (moved2 > s.innerStepLimit2) raiseStale(s, moved2);
+    if (!s.refresh) return;
+    const std::uint32_t longest = warpMax(bitsOf(moved2 > 1.0e-30f ? moved2 : 1.0e-30f));
+    if (warpLane() == 0 && longest > readFresh(&s.status->longestStep2)) atomicRaise(&s.status->longestStep2, longest);
+  }
+
+  /// Entries first .. first + 31 of a row. \return bits of grains that may touch; \p near those within the inner reach
+  GPUDEM_HD std::uint32_t measure(std::uint32_t row, std::uint32_t length, std::uint32_t first,
+                                   const CoarsePosition &c, std::uint32_t &near) const
+  {
+    std::uint32_t bits = 0;
+    if (first >= length) return 0;
+    const std::uint32_t last = length - first < 32u ? length - first : 32u;
+    constexpr std::uint32_t batch = 4;
+    for (std::uint32_t k = 0; k < last; k += batch) {  // the gathers of a batch are in flight together
+      CoarsePosition o[batch];
+      GPUDEM_UNROLL
+      for (std::uint32_t b = 0; b < batch; ++b)
+        o[b] = s.in.coarse[s.rows.neighbor[row + (first + (k + b < last ? k + b : k)) * W]];
+      GPUDEM_UNROLL
+      for (std::uint32_t b = 0; b < batch; ++b) {
+        const float apart2 = distance2(c, o[b], s.coarseUnit);
+        const float reach = (c.radius + o[b].radius) * 1.000001f + s.reachSlack, inner = reach + s.innerSkin;
+        bits |= (apart2 < reach * reach ? 1u : 0u) << (k + b);
+        near |= (apart2 < inner * inner ? 1u : 0u) << (k + b);
+      }
+    }
+    const std::uint32_t inRow = allLanes >> (32u - last);
+    near &= inRow;
+    return bits & inRow;
+  }
+
+  /// Ask for what a contact will need.
+  GPUDEM_HD void prefetch(std::uint32_t entry, std::uint32_t j) const
+  {
+    prefetchLine(s.motionIn + j);
+    if (P::fine) prefetchLine(s.in.fine + j);
+    if (Law::numbers > 0) prefetchLine(s.rows.spring + static_cast<std::size_t>(Law::historySize(s)) * entry);
+  }
+
+  /// Those of the entries \p near that may touch.
+  GPUDEM_HD std::uint32_t pick(std::uint32_t row, std::uint32_t first, std::uint32_t near,
+                                const CoarsePosition &c) const
+  {
+    std::uint32_t bits = 0;
+    while (near) {
+      const int k = lowestBit(near);
+      near &= near - 1;
+      const int k2 = near ? lowestBit(near) : k;
+      near &= near - 1;
+      const std::uint32_t entry = row + (first + k) * W, entry2 = row + (first + k2) * W;
+      const std::uint32_t j = s.rows.neighbor[entry], j2 = s.rows.neighbor[entry2];
+      const CoarsePosition o = s.in.coarse[j], o2 = s.in.coarse[j2];
+      if (mayTouch(c, o, s.coarseUnit, s.reachSlack)) {
+        bits |= 1u << k;
+        prefetch(entry, j);
+      }
+      if (mayTouch(c, o2, s.coarseUnit, s.reachSlack)) {
+        bits |= 1u << k2;
+        prefetch(entry2, j2);
+      }
+    }
+    return bits;
+  }
+
+  /// Evaluate the contacts of all lanes' \p bits and add them to the sums of their grains.
+  /// \param warpFirst grain of lane 0
+  /// \param old       entries of the lane's grain that were in contact
+  /// \return those that are in contact now
+  GPUDEM_HD std::uint32_t visit(std::uint32_t base, std::uint32_t warpFirst, std::uint32_t first, std::uint32_t bits,
+                                 std::uint32_t old, Shared &shared) const
+  {
+    const std::uint32_t lane = warpLane(), below = (1u << lane) - 1u;
+    shared.old[lane] = old;
+    shared.now[lane] = bits;
+    for (;;) {
+      // the first contact of every grain, then the second of those that have one, ...: neighbouring lanes then read
+      // neighbouring entries, and a grain adds its contacts in the order of its row
+      std::uint32_t total = 0, rank = 0;
+      for (;; ++rank) {
+        const std::uint32_t owners = warpBallot(bits != 0);
+        if (owners == 0 || total + static_cast<std::uint32_t>(bitCount(owners)) > capacity) break;
+        if (bits) shared.queue[total + static_cast<std::uint32_t>(bitCount(owners & below))] =
+            static_cast<std::uint16_t>(rank << 10 | lane << 5 | static_cast<std::uint32_t>(lowestBit(bits)));
+        bits &= bits - 1;
+        total += static_cast<std::uint32_t>(bitCount(owners));
+      }
+      warpSync();
+      if (total == 0) return shared.now[lane];
+      for (std::uint32_t start = 0; start < total; start += W) work(base, warpFirst, first, start, total, shared);
+    }
+  }
+
+  /// One contact of the queue for every lane.
+  GPUDEM_HD void work(std::uint32_t base, std::uint32_t warpFirst, std::uint32_t first, std::uint32_t start,
+                       std::uint32_t total, Shared &shared) const
+  {
+    const std::uint32_t at = start + warpLane();
+    const std::uint32_t contact = shared.queue[at < total ? at : total - 1];
+    const std::uint32_t owner = contact >> 5 & 31u, k = contact & 31u, rank = contact >> 10;
+    Real load[loads];
+    bool touches = false;
+    if (at < total) {
+      const bool held = shared.old[owner] >> k & 1u;
+      touches = evaluate(warpFirst + owner, base + (first + k) * W + owner, held, load);
+      if (!touches) clearShared(&shared.now[owner], 1u << k);
+    }
+    const std::uint32_t lastRank = warpShuffle(rank, W - 1);
+    for (std::uint32_t r = warpShuffle(rank, 0); r <= lastRank; ++r) {
+      if (touches && r == rank) {
+        GPUDEM_UNROLL
+        for (int d = 0; d < loads; ++d) shared.sum[d][owner] += load[d];
+      }
+      warpSync();
+    }
+  }
+
+  /// Contact of grain \p i with the grain of \p entry. \return do they touch?
+  GPUDEM_HD bool evaluate(std::uint32_t i, std::uint32_t entry, bool held, Real *load) const
+  {
+    const bool keeps = Law::keeps(s);
+    const Self<P> self = loadSelf(s, i);
+    const std::uint32_t j = s.rows.neighbor[entry];
+    const std::uint32_t kind = Law::kind(s, i, j);
+    GatheredPair<Real> g;
+    if (!gatherPair<Law>(s, self, j, kind, keeps && held, g)) return false;
+    typename Law::template History<Real> kept{};
+    Real *slot = nullptr;
+    if (keeps) {
+      slot = s.rows.spring + static_cast<std::size_t>(Law::historySize(s)) * entry;
+      if (held) kept = Law::load(s, slot);
+    }
+    const ContactForce<Real> f = Law::evaluate(Law::coefficients(s, kind), toContact<Law>(g), kept, s.dt,
+                                               mode == StepMode::Fused || s.advanceSprings);
+    if (keeps) Law::store(s, kept, slot);
+    load[0] = f.force.x;
+    load[1] = f.force.y;
+    load[2] = f.force.z;
+    if (Law::torques) {
+      Vec3<Real> torque = f.couple * (Law::moments ? f.shorter - g.radius : -g.radius);
+      if (Law::moments) torque += f.moment;
+      load[3] = torque.x;
+      load[4] = torque.y;
+      load[5] = torque.z;
+    }
+    if (mode == StepMode::Event) {
+      for (int d = Law::torques ? 6 : 3; d < loads; ++d) load[d] = Real(0);
+      if (s.virial) addVirial(g.branch, f.force, load + 6);
+    }
+    return true;
+  }
+};
+
+}  // namespace gpudem

@@ -231,7 +231,8 @@ std::string SliceBalancer::shape() const
 {
   std::string text;
   for (const gpudem::SliceLevel &level : grid_.levels)
-    text += fmt::format("{}{} parts along {}", text.empty() ? "" : ", ", level.parts(), "xyz"[level.axis]);
+    if (level.parts() > 1)
+      text += fmt::format("{}{} parts along {}", text.empty() ? "" : ", ", level.parts(), "xyz"[level.axis]);
   return text;
 }
 

@@ -43,7 +43,7 @@ ResidentPair *residentPair(LAMMPS *lmp)
                                              : lmp->force->pair);
 }
 
-/// fix balance and balance/slice move sub-domains, not particles or faces of the box: on one rank they have nothing to do.
+/// fix balance and balance/slice move sub-domains, not faces of the box: on one rank they have nothing to do.
 bool balances(const Fix *fix)
 {
   return strcmp(fix->style, "balance") == 0 || strcmp(fix->style, "balance/slice") == 0;

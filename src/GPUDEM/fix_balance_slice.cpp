@@ -55,7 +55,7 @@ void FixBalanceSlice::setup_pre_exchange()
 
 void FixBalanceSlice::pre_exchange()
 {
-  if (nevery && update->ntimestep < next_reneighbor) return;
+  if (!nevery || update->ntimestep < next_reneighbor) return;
   check(true);
 }
 

@@ -16,6 +16,8 @@ class FixBalanceSlice : public Fix {
   void init() override;
   void setup_pre_exchange() override;
   void pre_exchange() override;
+  /// Do weights read the neighbour list?
+  bool needsNeighbors() const { return balancer.needsNeighbors(); }
   double compute_scalar() override { return after.imbalance; }
   double compute_vector(int i) override;
   double memory_usage() override { return balancer.memoryUsage(); }

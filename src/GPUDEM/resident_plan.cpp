@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The GPUDEM developers
 #include "resident_plan.h"
 
+#include "fix_balance_slice.h"
 #include "fix_move_gpudem.h"
 #include "fix_neigh_history_gpudem.h"
 #include "formula.h"
@@ -49,11 +50,22 @@ bool balances(const Fix *fix)
   return strcmp(fix->style, "balance") == 0 || strcmp(fix->style, "balance/slice") == 0;
 }
 
+/// Why a fix that balances cannot do so between events, empty if it can. Lists of neighbours live on the device.
+std::string balanceObstacle(const Fix *fix)
+{
+  if (const auto *slice = dynamic_cast<const FixBalanceSlice *>(fix)) {
+    if (!slice->needsNeighbors()) return "";
+    return fmt::format("fix {} ({}) weighs particles by neighbours, whose lists the device would hold", fix->id,
+                       fix->style);
+  }
+  if (!GpudemCompat::weighs(fix)) return "";
+  return fmt::format("fix {} ({}) weighs particles, which is possible with fix balance/slice only", fix->id, fix->style);
+}
+
 /// First obstacle to residency, empty if there is none.
 std::string obstacle(LAMMPS *lmp)
 {
   Force *force = lmp->force;
-  if (lmp->comm->nprocs > 1) return "several MPI ranks share the box: this run uses LAMMPS' own loop on every rank";
   if (lmp->domain->triclinic) return "the box is triclinic";
   if (!force->pair) return "there is no pair style";
   const ResidentPair *pair = residentPair(lmp);
@@ -71,6 +83,11 @@ std::string obstacle(LAMMPS *lmp)
   for (int k = 0; k < lmp->modify->nfix; ++k) {
     const Fix *fix = lmp->modify->fix[k];
     if (fix->rigid_flag) return fmt::format("fix {} ({}) moves rigid bodies", fix->id, fix->style);
+    if (balances(fix) && lmp->comm->nprocs > 1) {
+      const std::string why = balanceObstacle(fix);
+      if (!why.empty()) return why;
+      continue;
+    }
     if (fix->box_change && !balances(fix)) return fmt::format("fix {} ({}) changes the box", fix->id, fix->style);
   }
   return "";
@@ -121,7 +138,11 @@ void classify(LAMMPS *lmp, ResidentPlan &plan)
       plan.history = history;
       continue;
     }
-    if (balances(fix)) {
+    if (dynamic_cast<FixBalanceSlice *>(fix) && lmp->comm->nprocs > 1 && !fix->force_reneighbor) {
+      plan.onHost.push_back(fmt::format("fix {} ({}) on the host at the start of runs", fix->id, fix->style));
+      continue;
+    }
+    if (balances(fix) && lmp->comm->nprocs == 1) {
       plan.skipped.push_back(fmt::format("fix {} ({}), on one rank", fix->id, fix->style));
       continue;
     }

@@ -8,6 +8,7 @@
 #include "verlet.h"
 
 #include <map>
+#include <memory>
 #include <string>
 
 namespace LAMMPS_NS {
@@ -40,6 +41,7 @@ class VerletGpudem : public Verlet {
   void leaveResident();
   void printPlan();
   void printLevels();
+  std::string describeRanks() const;
 
   void setupResident(int flag);
   void runResident(int n);
@@ -49,6 +51,7 @@ class VerletGpudem : public Verlet {
   void completeOnDevice(const gpudem::StepInputs &in, const gpudem::Recording &record);
   void completeWithHost(const gpudem::StepInputs &in, const gpudem::Recording &record);
   void publish(const gpudem::Recording &record);
+  bool endOfStepDue(bigint step) const;
   void endOfStep(bigint step);
   void writeOutput(bigint step);
 
@@ -56,17 +59,22 @@ class VerletGpudem : public Verlet {
   void rebuildRows();
   void rebuildThroughHost();
   void shrinkWrap(const gpudem::Extent &extent);
-  bool lostThrough(const gpudem::Extent &extent) const;
+  bool mustHandOn(const gpudem::Extent &extent) const;
+  void handOnFarGrains();
+  bool readsLists(bigint step) const;
+  void fail(const gpudem::Error &e) const;
   void renewGhosts();
   void buildHostLists();
   void evaluatePairOnHost();
   gpudem::StepInputs inputs(bigint step);
+  gpudem::KineticSums sumOverRanks(gpudem::KineticSums own) const;
 
   ResidentPlan plan;
   ResidentState state;
   bool onDevice = false;        ///< the device holds the particles
   bool rowsDue = false;         ///< rows must be rebuilt before the next force
   bool hostListsBuilt = false;  ///< this run built neighbour lists on the host
+  std::unique_ptr<class Irregular> irregular;  ///< of grains that skip ranks
   bigint lastRebuild = 0;
   int rebuildInterval = 16;  ///< steps between the last two rebuilds
   std::string printedLevels; ///< the line on neighbour levels printed last

@@ -12,6 +12,7 @@
 #include "domain.h"
 #include "fix.h"
 #include "force.h"
+#include "irregular.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
@@ -19,6 +20,7 @@
 #include "update.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 using namespace LAMMPS_NS;
@@ -34,6 +36,10 @@ bool VerletGpudem::reneighborAsked(bigint step) const
 /// Let LAMMPS fit a shrink-wrapped box to the extent of the grains, without the grains.
 void VerletGpudem::shrinkWrap(const gpudem::Extent &extent)
 {
+  if (atom->nlocal == 0) {
+    domain->reset_box();
+    return;
+  }
   double kept[2][3];
   const int nlocal = atom->nlocal;
   for (int k = 0; k < 2; ++k)
@@ -49,29 +55,56 @@ void VerletGpudem::shrinkWrap(const gpudem::Extent &extent)
     for (int d = 0; d < 3; ++d) atom->x[k][d] = kept[k][d];
 }
 
-bool VerletGpudem::lostThrough(const gpudem::Extent &extent) const
+/// Must LAMMPS decide about a grain that left the box, or one that is far from its rank's sub-domain? On all ranks alike.
+bool VerletGpudem::mustHandOn(const gpudem::Extent &extent) const
 {
-  for (int d = 0; d < 3; ++d)
-    if (!domain->periodicity[d] && (extent.lo[d] < domain->boxlo[d] || extent.hi[d] >= domain->boxhi[d])) return true;
-  return false;
+  int must = 0;
+  const bool several = comm->nprocs > 1;
+  const double limit = several ? state.strayLimit(plan) : 0.0;
+  for (int d = 0; d < 3 && atom->nlocal > 0; ++d) {
+    if (!domain->periodicity[d] && (extent.lo[d] < domain->boxlo[d] || extent.hi[d] >= domain->boxhi[d])) must = 1;
+    if (several && (domain->sublo[d] - extent.lo[d] > limit || extent.hi[d] - domain->subhi[d] > limit)) must = 1;
+  }
+  if (several) MPI_Allreduce(MPI_IN_PLACE, &must, 1, MPI_INT, MPI_MAX, world);
+  return must != 0;
 }
 
-/// Rebuild rows on the device; through the host if a grain left the box and LAMMPS must decide about it.
+/// LAMMPS' exchange reaches ranks that touch. Grains farther away than the thinnest sub-domain is wide go first.
+void VerletGpudem::handOnFarGrains()
+{
+  if (comm->nprocs == 1) return;
+  double farthest = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i)
+    for (int d = 0; d < domain->dimension; ++d) {
+      const double width = domain->subhi[d] - domain->sublo[d];
+      double away = atom->x[i][d] - 0.5 * (domain->subhi[d] + domain->sublo[d]);
+      if (domain->periodicity[d]) away -= domain->prd[d] * std::floor(away / domain->prd[d] + 0.5);
+      farthest = std::max(farthest, std::fabs(away) - 0.5 * width);
+    }
+  state.noteSubDomains();
+  int skips = farthest > 0.9 * state.thinnestSubDomain();
+  MPI_Allreduce(MPI_IN_PLACE, &skips, 1, MPI_INT, MPI_MAX, world);
+  if (!skips) return;
+  if (!irregular) irregular = std::make_unique<Irregular>(lmp);
+  irregular->migrate_atoms(1);
+}
+
+/// Rebuild rows on the device; through the host if a grain left the box, or its rank, and LAMMPS must decide about it.
 void VerletGpudem::rebuildRows()
 {
   if (plan.hostRebuilds) {
     rebuildThroughHost();
     return;
   }
-  if (domain->nonperiodic && atom->nlocal > 0) {
+  if (comm->nprocs > 1 || (domain->nonperiodic && atom->nlocal > 0)) {
     const gpudem::Extent extent = state.engine().extent(state.box());
     if (domain->nonperiodic == 2) shrinkWrap(extent);
-    if (lostThrough(extent)) {
+    if (mustHandOn(extent)) {
       rebuildThroughHost();
       return;
     }
   }
-  state.engine().rebuild(state.box());
+  state.rebuild();
   state.deviceMoved(gpudem::fieldPosition | gpudem::fieldImage);
   rebuildInterval = std::max<int>(1, static_cast<int>(update->ntimestep - lastRebuild));
   lastRebuild = update->ntimestep;
@@ -90,12 +123,13 @@ void VerletGpudem::rebuildThroughHost()
   domain->reset_box();
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
+  handOnFarGrains();
   comm->exchange();
   if (atom->map_style != Atom::MAP_NONE || plan.hostRebuilds) comm->borders();
   modify->pre_neighbor();
   if (plan.hostRebuilds) modify->post_neighbor();
-  state.uploadAll(plan);
-  state.engine().rebuild(state.box());
+  state.uploadAll(plan, FixNeighHistoryGpudem::Source::Device);
+  state.rebuild();
   rebuildInterval = std::max<int>(4, static_cast<int>(update->ntimestep - lastRebuild));
   lastRebuild = update->ntimestep;
   ++neighbor->ncalls;

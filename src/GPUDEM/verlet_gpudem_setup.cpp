@@ -70,6 +70,20 @@ void VerletGpudem::leaveResident()
   onDevice = false;
 }
 
+/// "  ranks     : 4, 2 for each GPU, which take turns; ghosts by MPI through host memory"
+std::string VerletGpudem::describeRanks() const
+{
+  const MpiRankExchange *ranks = state.ranks();
+  if (!ranks) return "";
+  const int gpus = plan.possible && state.onGpu() ? gpudem::gpuCount() : 0, here = ranks->ranksOnHost();
+  std::string sharing;
+  if (gpus > 0)
+    sharing = here > gpus ? fmt::format(", {} on {} GPU{}: ranks of a GPU take turns, one rank for each is faster", here,
+                                        gpus, gpus > 1 ? "s" : "")
+                          : ", a GPU for each";
+  return fmt::format("  ranks     : {}{}; ghosts by {}\n", ranks->ranks(), sharing, ranks->name());
+}
+
 void VerletGpudem::printPlan()
 {
   if (comm->me != 0 || !gpudemSettings(lmp).verbose) return;
@@ -83,6 +97,7 @@ void VerletGpudem::printPlan()
         state.engine().deviceName(), state.engine().precision() == gpudem::Precision::Double ? "double" : "mixed",
         gpudem::coordinateBits(plan.scene, state.engine().precision()), describeLaws(plan.scene), plan.walls.size(),
         plan.scene.terms.size() - plan.walls.size(), plan.scene.integrators.size());
+    block += describeRanks();
     std::string skipped;
     for (const std::string &s : plan.skipped) skipped += (skipped.empty() ? "" : "; ") + s;
     block += fmt::format("  skipped   : {}\n", skipped.empty() ? "nothing" : skipped);
@@ -116,7 +131,7 @@ void VerletGpudem::setup(int flag)
     try {
       state.prepareEngine();
     } catch (const gpudem::Error &e) {
-      error->all(FLERR, "GPUDEM: {}", e.what());
+      fail(e);
     }
   }
   printPlan();
@@ -127,7 +142,7 @@ void VerletGpudem::setup(int flag)
   try {
     setupResident(flag);
   } catch (const gpudem::Error &e) {
-    error->all(FLERR, "GPUDEM: {}", e.what());
+    fail(e);
   }
 }
 
@@ -159,6 +174,7 @@ void VerletGpudem::setupResident(int flag)
   domain->reset_box();
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
+  handOnFarGrains();
   comm->exchange();
   if (atom->sortfreq > 0) atom->sort();
   if (atom->map_style != Atom::MAP_NONE || plan.hostLists) comm->borders();
@@ -169,8 +185,8 @@ void VerletGpudem::setupResident(int flag)
   neighbor->ncalls = neighbor->ndanger = 0;
 
   for (Fix *fix : plan.groups) fix->setup(0);  // before the force asks who belongs to them
-  state.uploadAll(plan);
-  state.engine().rebuild(state.box());
+  state.uploadAll(plan, FixNeighHistoryGpudem::Source::Elsewhere);
+  state.rebuild();
   printLevels();
   rowsDue = false;
   lastRebuild = update->ntimestep;
@@ -178,7 +194,7 @@ void VerletGpudem::setupResident(int flag)
   force->setup();
   ev_set(update->ntimestep);
   modify->setup_pre_force(vflag);
-  if (state.toDevice()) state.engine().rebuild(state.box());
+  if (state.toDevice()) state.rebuild();
   gpudem::Recording record;
   record.virial = vflag % 4 != 0;
   state.engine().evaluateForce(inputs(update->ntimestep), record);

@@ -19,9 +19,10 @@ Extent EngineImpl<Exec, P>::extent(const Box &box)
   e.lo = box.lo;
   e.hi = box.hi;
   if (!count_) return e;
+  const bool seen = layer_.joined();
   const double huge = std::numeric_limits<double>::max();
   const ExtentSum none{{huge, huge, huge}, {-huge, -huge, -huge}, 0};
-  const ExtentSum s = exec_.reduce(count_, GrainExtent<P>{positions(), cell_.data(), grid_, frame_, toBoxView(box)},
+  const ExtentSum s = exec_.reduce(count_, GrainExtent<P>{positions(), cell_.data(), grid_, frame_, toBoxView(box), seen, toVec3(home_.middle)},
                                    JoinExtents{}, none);
   for (int d = 0; d < 3; ++d) {
     e.lo[d] = s.lo[d];
@@ -60,7 +61,7 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
   if (queued_) throw Error("a rebuild needs the queued steps to be flushed first");
   box_ = box;
   ++report_.rebuilds;
-  if (!count_) {
+  if (!count_ && !layer_.joined()) {
     drift_.forget();
     rowsValid_ = true;
     return;
@@ -90,6 +91,7 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
 {
   if (keepsContacts_ && !storeFresh_) extractSprings();
+  ghosts_ = 0;
 
   key_.reserve(count_);
   order_.reserve(count_);
@@ -129,10 +131,10 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
   }
   if (origin_.capacity()) permute(origin_, originScratch_);
 
-  const float huge = std::numeric_limits<float>::max();
-  drift_.start(exec_.reduce(count_, GrainVelocity<Real>{motion_[motNow_].data()}, JoinRanges{},
-                            VelocityRange{{huge, huge, huge}, {-huge, -huge, -huge}}),
-               scene_.timestep, scene_.skin);
+  const VelocityRange range = velocities();
+  if (layer_.joined()) exchangeGrains();
+  if (home_.commonMotion) drift_.start(range, scene_.timestep, scene_.skin);
+  else drift_.forget();
   buildTable();
   setAnchors();
 }
@@ -142,6 +144,7 @@ void EngineImpl<Exec, P>::buildTable()
 {
   BuildView<P> v{};
   v.count = count_;
+  v.ghosts = ghosts_;
   v.position = positions();
   v.mask = mask_.data();
   v.type = type_.data();
@@ -150,6 +153,10 @@ void EngineImpl<Exec, P>::buildTable()
   v.levels = levels_;
   const bool dense = CellTable<Exec>::isDense(levels_.cells(), count_);
   v.directory = cells_.build(exec_, v.cell, count_, levels_.cells(), dense);
+  if (ghosts_) {
+    const bool denseGhosts = CellTable<Exec>::isDense(levels_.cells(), ghosts_);
+    v.ghostDirectory = ghostCells_.build(exec_, v.cell + count_, ghosts_, levels_.cells(), denseGhosts);
+  }
   v.frame = frame_;
   v.skin = static_cast<float>(scene_.skin);
   v.reachSlack = reachSlackOf(frame_) + static_cast<float>(pullOffGap_);
@@ -165,7 +172,7 @@ void EngineImpl<Exec, P>::buildTable()
 
   const ContactStore<Real> store{layout_.size, storeOffset_.data(), storePartner_.data(), storeSpring_.data()};
   table_.build(exec_, v, keepsContacts_, store, order_.data());
-  report_.entriesPerGrain = static_cast<double>(table_.entries()) / count_;
+  report_.entriesPerGrain = count_ ? static_cast<double>(table_.entries()) / count_ : 0.0;
   report_.cells = levels_.cells();
   report_.levelRadii.assign(levelRadii_.begin(), levelRadii_.end());
 }

@@ -12,6 +12,8 @@ void EngineImpl<Exec, P>::resetStatus()
 {
   const Status fresh{noLimit, noLimit, noParticle, 0u, noParticle};
   exec_.copyIn(status_.data(), &fresh, 1);
+  stopAgreed_ = rebuildAgreed_ = false;
+  longestAgreed2_ = 0.0f;
 }
 
 template <class Exec, class P>
@@ -362,13 +364,14 @@ void EngineImpl<Exec, P>::beginStep(const StepInputs &next)
   forceValid_ = false;
   queued_ = 0;
   queuedSteps_.assign(1, next.step);
+  if (layer_.joined()) followGhosts(positions());
 }
 
 template <class Exec, class P>
 void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
 {
   requireRows("a step");
-  if (drift_.spent()) return;
+  if (drift_.spent() || stopAgreed_) return;
   StepView<P> v = view(in, in.step + 1);
   const int from = queued_ & 1;
   v.in = positions(posNow_ ^ from, motNow_ ^ from);
@@ -382,6 +385,7 @@ void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
   inner_.drifted();
   drift_.drifted(1);
   queuedSteps_.push_back(in.step);
+  if (layer_.joined()) followGhosts(positions(posNow_ ^ from ^ 1, motNow_ ^ from ^ 1));
 }
 
 template <class Exec, class P>
@@ -390,9 +394,11 @@ Progress EngineImpl<Exec, P>::flush()
   Status s;
   exec_.copyOut(&s, status_.data(), 1);
   Progress p;
-  p.needsRebuild = s.rebuildAfter != noLimit;
-  const bool stopped = s.lastAllowed != noLimit;
-  p.executed = stopped ? std::min(queued_, static_cast<int>(s.lastAllowed)) : queued_;
+  const bool joined = layer_.joined();  // no rank queues beyond an alarm of any
+  p.needsRebuild = joined ? rebuildAgreed_ : s.rebuildAfter != noLimit;
+  const bool stopped = joined ? stopAgreed_ : s.lastAllowed != noLimit;
+  const float longestStep2 = joined ? longestAgreed2_ : floatOf(s.longestStep2);
+  p.executed = stopped && !joined ? std::min(queued_, static_cast<int>(s.lastAllowed)) : queued_;
   drift_.drifted(p.executed - queued_);
   p.needsRebuild = p.needsRebuild || drift_.spent();
   posNow_ ^= p.executed & 1;
@@ -406,7 +412,7 @@ Progress EngineImpl<Exec, P>::flush()
     inner_.forget();
     resetStatus();
   }
-  inner_.plan(floatOf(s.longestStep2));
+  inner_.plan(longestStep2);
   return p;
 }
 

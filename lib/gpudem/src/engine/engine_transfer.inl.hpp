@@ -28,6 +28,8 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   for (const auto &a : regionLoad_) add(a);
   add(models_);
   add(cells_);
+  add(ghostCells_);
+  add(layer_);
   add(cross_);
   add(blockScratch_);
   for (const auto &a : termBefore_) add(a);
@@ -120,6 +122,7 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
 {
   if (host.count >= noParticle) throw Error(fmt::format("{} grains exceed the 32-bit index", host.count));
   count_ = static_cast<std::uint32_t>(host.count);
+  ghosts_ = 0;
   box_ = box;
   rowsValid_ = false;
   queued_ = 0;
@@ -134,6 +137,7 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
                               box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_, pullOffGap_)));
   }
   explainMemory([&] { reserveParticles(); });
+  if (!count_) levelRadii_ = chooseLevels(nullptr, 0, scene_.largestRadius, 1, scene_.levelRatio, scene_.multigridFrom);
   if (count_) {
     for (std::uint32_t i = 0; i < count_; ++i)
       if (!(host.radius[i] > 0.0) || !(host.mass[i] > 0.0))
@@ -171,7 +175,16 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
   if (host.count != count_)
     throw Error(
         fmt::format("{} grains on the host, {} resident: the whole state must be uploaded", host.count, count_));
-  if (!count_) return;
+  if (fields & (fieldShape | fieldPosition | fieldMask)) rowsValid_ = false;
+  if (count_) importFields(host, fields);
+  // the next force may be that of this very position
+  if (layer_.joined() && rowsValid_ && (fields & (fieldVelocity | fieldSpin)))
+    layer_.refresh(exec_, count_, positions());
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::importFields(const HostParticles &host, unsigned fields)
+{
   const std::uint32_t *index = hostIndex_.data();
   Motion<Real> *motion = motion_[motNow_].data();
   const auto vectors = [&](const double *p) { return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_); };
@@ -180,13 +193,10 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
                                scene_.multigridFrom);
     exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), index, positions()});
     exec_.forEach(count_, ImportMass<Real>{stageIn(host.mass, count_), index, motion});
-    rowsValid_ = false;
   }
-  if ((fields & fieldPosition) && host.position) {
+  if ((fields & fieldPosition) && host.position)
     exec_.forEach(count_,
                   ImportPositions<P>{vectors(host.position), nullptr, index, grid_, frame_, positions(), cell_.data()});
-    rowsValid_ = false;
-  }
   if ((fields & fieldVelocity) && host.velocity)
     exec_.forEach(count_, ImportMotion<Real>{vectors(host.velocity), index, VectorField::Velocity, motion});
   if ((fields & fieldSpin) && host.spin)
@@ -199,7 +209,6 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
     exec_.forEach(count_, ImportValues<int, std::uint32_t>{stageIn(host.mask, count_), index, mask_.data()});
     setRoles();
     exec_.forEach(count_, ImportValues<int, int>{stageIn(host.type, count_), index, type_.data()});
-    rowsValid_ = false;
   }
   if ((fields & fieldImage) && host.image)
     exec_.forEach(count_, ImportValues<int, int>{stageIn(host.image, count_), index, image_.data()});

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file What engines of several ranks need of each other. The caller implements it, for example with MPI.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace gpudem {
+
+/// Bytes for or from another rank.
+struct RankMessage {
+  int rank;
+  void *data;
+  std::size_t bytes;
+};
+
+/// Ranks that share a box. Every call but the first three is collective: all ranks make the same calls in the same order.
+class RankExchange {
+ public:
+  virtual ~RankExchange() = default;
+  virtual int rank() const = 0;
+  virtual int ranks() const = 0;
+  /// May messages lie in the memory of the device?
+  virtual bool readsDeviceMemory() const { return false; }
+
+  /// \param mine [count]
+  /// \param all  [ranks][count] the numbers of all ranks
+  virtual void gather(const double *mine, int count, double *all) = 0;
+  /// Replace each number by the largest of all ranks.
+  virtual void largest(double *values, int count) = 0;
+  /// Send and receive, return when all is there. A rank names in \p receive exactly what others send to it.
+  virtual void exchange(const std::vector<RankMessage> &send, const std::vector<RankMessage> &receive) = 0;
+};
+
+}  // namespace gpudem

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+#include "mpi_rank_exchange.h"
+
+#include "gpudem/errors.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+using namespace LAMMPS_NS;
+
+namespace {
+constexpr int ghostTag = 0;
+
+int lengthOf(const gpudem::RankMessage &message)
+{
+  if (message.bytes > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw gpudem::Error(fmt::format("a message of {} bytes to or from rank {} exceeds what MPI takes; use more ranks",
+                                    message.bytes, message.rank));
+  return static_cast<int>(message.bytes);
+}
+}  // namespace
+
+MpiRankExchange::MpiRankExchange(MPI_Comm world)
+{
+  MPI_Comm_dup(world, &comm_);
+  MPI_Comm_rank(comm_, &rank_);
+  MPI_Comm_size(comm_, &ranks_);
+  MPI_Comm host;
+  MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &host);
+  MPI_Comm_rank(host, &rankOnHost_);
+  MPI_Comm_size(host, &ranksOnHost_);
+  MPI_Comm_free(&host);
+}
+
+MpiRankExchange::~MpiRankExchange()
+{
+  MPI_Comm_free(&comm_);
+}
+
+void MpiRankExchange::gather(const double *mine, int count, double *all)
+{
+  MPI_Allgather(mine, count, MPI_DOUBLE, all, count, MPI_DOUBLE, comm_);
+}
+
+void MpiRankExchange::largest(double *values, int count)
+{
+  MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, comm_);
+}
+
+void MpiRankExchange::exchange(const std::vector<gpudem::RankMessage> &send,
+                               const std::vector<gpudem::RankMessage> &receive)
+{
+  requests_.resize(send.size() + receive.size());
+  std::size_t k = 0;
+  for (const gpudem::RankMessage &m : receive)
+    MPI_Irecv(m.data, lengthOf(m), MPI_BYTE, m.rank, ghostTag, comm_, &requests_[k++]);
+  for (const gpudem::RankMessage &m : send)
+    MPI_Isend(m.data, lengthOf(m), MPI_BYTE, m.rank, ghostTag, comm_, &requests_[k++]);
+  MPI_Waitall(static_cast<int>(k), requests_.data(), MPI_STATUSES_IGNORE);
+}

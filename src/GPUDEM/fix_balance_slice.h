@@ -18,6 +18,7 @@ class FixBalanceSlice : public Fix {
   void pre_exchange() override;
   /// Do weights read the neighbour list?
   bool needsNeighbors() const { return balancer.needsNeighbors(); }
+  bool weighsByVariable() const { return balancer.weighsByVariable(); }
   double compute_scalar() override { return after.imbalance; }
   double compute_vector(int i) override;
   double memory_usage() override { return balancer.memoryUsage(); }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <utility>
 
 using namespace LAMMPS_NS;
 
@@ -20,6 +21,16 @@ int lengthOf(const gpudem::RankMessage &message)
                                     message.bytes, message.rank));
   return static_cast<int>(message.bytes);
 }
+
+/// Adds the time of its life.
+class Clock {
+ public:
+  explicit Clock(double &sum) : sum_(sum), start_(MPI_Wtime()) {}
+  ~Clock() { sum_ += MPI_Wtime() - start_; }
+
+ private:
+  double &sum_, start_;
+};
 }  // namespace
 
 MpiRankExchange::MpiRankExchange(MPI_Comm world)
@@ -39,19 +50,33 @@ MpiRankExchange::~MpiRankExchange()
   MPI_Comm_free(&comm_);
 }
 
+double MpiRankExchange::takeSeconds()
+{
+  return std::exchange(seconds_, 0.0);
+}
+
 void MpiRankExchange::gather(const double *mine, int count, double *all)
 {
+  const Clock clock(seconds_);
   MPI_Allgather(mine, count, MPI_DOUBLE, all, count, MPI_DOUBLE, comm_);
 }
 
-void MpiRankExchange::largest(double *values, int count)
+void MpiRankExchange::beginLargest(double *values, int count)
 {
-  MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, comm_);
+  const Clock clock(seconds_);
+  MPI_Iallreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, comm_, &largest_);
+}
+
+void MpiRankExchange::endLargest()
+{
+  const Clock clock(seconds_);
+  MPI_Wait(&largest_, MPI_STATUS_IGNORE);
 }
 
 void MpiRankExchange::exchange(const std::vector<gpudem::RankMessage> &send,
                                const std::vector<gpudem::RankMessage> &receive)
 {
+  const Clock clock(seconds_);
   requests_.resize(send.size() + receive.size());
   std::size_t k = 0;
   for (const gpudem::RankMessage &m : receive)

@@ -22,19 +22,24 @@ class MpiRankExchange : public gpudem::RankExchange {
   int rank() const override { return rank_; }
   int ranks() const override { return ranks_; }
   void gather(const double *mine, int count, double *all) override;
-  void largest(double *values, int count) override;
+  void beginLargest(double *values, int count) override;
+  void endLargest() override;
   void exchange(const std::vector<gpudem::RankMessage> &send, const std::vector<gpudem::RankMessage> &receive) override;
 
   /// This rank among those of its host, and how many they are.
   int rankOnHost() const { return rankOnHost_; }
   int ranksOnHost() const { return ranksOnHost_; }
+  /// Seconds spent here since the last call, mostly in waiting for other ranks.
+  double takeSeconds();
   /// For the log.
   std::string name() const { return "MPI through host memory"; }
 
  private:
   MPI_Comm comm_ = MPI_COMM_NULL;
   int rank_ = 0, ranks_ = 1, rankOnHost_ = 0, ranksOnHost_ = 1;
-  std::vector<MPI_Request> requests_;
+  double seconds_ = 0.0;
+  std::vector<MPI_Request> requests_;  ///< of messages
+  MPI_Request largest_ = MPI_REQUEST_NULL;
 };
 
 }  // namespace LAMMPS_NS

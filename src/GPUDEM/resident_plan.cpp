@@ -274,6 +274,13 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
     }
   checkThermo(lmp, plan);
   checkLists(lmp, plan);
+  for (int k = 0; plan.hostLists && lmp->comm->nprocs > 1 && k < lmp->modify->nfix; ++k) {
+    const auto *slice = dynamic_cast<const FixBalanceSlice *>(lmp->modify->fix[k]);
+    if (!slice || !slice->weighsByVariable()) continue;
+    plan.reason = fmt::format("fix {} ({}) weighs particles by a variable, and a style reads neighbour lists on the host, "
+                              "which are not there when it does", slice->id, slice->style);
+    return plan;
+  }
   describeSkipped(lmp, plan);
   plan.possible = true;
   return plan;

@@ -23,6 +23,7 @@ class ResidentState : protected Pointers {
   void prepareEngine();
   gpudem::Engine &engine() { return *engine_; }
   /// Who shares the box, null on one rank.
+  MpiRankExchange *ranks() { return ranks_.get(); }
   const MpiRankExchange *ranks() const { return ranks_.get(); }
   bool onGpu() const { return onGpu_; }
 

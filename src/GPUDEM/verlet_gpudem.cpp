@@ -65,6 +65,7 @@ void VerletGpudem::cleanup()
 {
   if (onDevice) {
     try {
+      printGhosts();
       state.downloadAll(plan);
     } catch (const gpudem::Error &e) {
       fail(e);
@@ -137,6 +138,16 @@ gpudem::StepInputs VerletGpudem::inputs(bigint step)
   return in;
 }
 
+/// Book the time since the last stamp, and what of it went by in messages of the engines as communication.
+void VerletGpudem::stamp(Timer::ttype what)
+{
+  timer->stamp(what);
+  if (!state.ranks() || !timer->has_normal()) return;
+  const double waited = state.ranks()->takeSeconds();
+  timer->set_wall(what, timer->get_wall(what) - waited);
+  timer->set_wall(Timer::COMM, timer->get_wall(Timer::COMM) + waited);
+}
+
 /// From the completed step update->ntimestep to mid step before the force of \p event.
 void VerletGpudem::advanceTo(bigint event)
 {
@@ -148,9 +159,9 @@ void VerletGpudem::advanceTo(bigint event)
   while (step < event) {
     if (rowsDue) {
       update->ntimestep = step;
-      timer->stamp(Timer::PAIR);
+      stamp(Timer::PAIR);
       rebuildRows();
-      timer->stamp(Timer::NEIGH);
+      stamp(Timer::NEIGH);
     }
     const bigint expected = rebuildInterval - (step - lastRebuild);
     const int batch = static_cast<int>(std::min<bigint>(event - step, std::clamp<bigint>(expected, 4, 64)));
@@ -164,7 +175,7 @@ void VerletGpudem::advanceTo(bigint event)
   state.deviceMoved();
   state.contactsMoved();
   update->ntimestep = event;
-  timer->stamp(Timer::PAIR);
+  stamp(Timer::PAIR);
 }
 
 /// Host call points, force and second half kick of one event step.
@@ -188,7 +199,7 @@ void VerletGpudem::eventStep(bigint step)
   const bool lists = comm->nprocs > 1 && readsLists(step);
   if (reneighborAsked(step) || lists || (rowsDue && plan.hostRebuilds)) rebuildThroughHost();
   else if (rowsDue) rebuildRows();
-  timer->stamp(Timer::NEIGH);
+  stamp(Timer::NEIGH);
 
   gpudem::Recording record;
   record.virial = vflag % 4 != 0;
@@ -196,7 +207,7 @@ void VerletGpudem::eventStep(bigint step)
   if (plan.hostForces || plan.hostIntegrates) completeWithHost(in, record);
   else completeOnDevice(in, record);
   publish(record);
-  timer->stamp(Timer::PAIR);
+  stamp(Timer::PAIR);
 }
 
 void VerletGpudem::completeOnDevice(const gpudem::StepInputs &in, const gpudem::Recording &record)

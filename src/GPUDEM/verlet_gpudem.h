@@ -5,6 +5,7 @@
 
 #include "resident_plan.h"
 #include "resident_state.h"
+#include "timer.h"
 #include "verlet.h"
 
 #include <map>
@@ -42,11 +43,13 @@ class VerletGpudem : public Verlet {
   void printPlan();
   void printLevels();
   std::string describeRanks() const;
+  void printGhosts();
 
   void setupResident(int flag);
   void runResident(int n);
   bigint nextEvent(bigint last) const;
   void advanceTo(bigint event);
+  void stamp(Timer::ttype what);
   void eventStep(bigint step);
   void completeOnDevice(const gpudem::StepInputs &in, const gpudem::Recording &record);
   void completeWithHost(const gpudem::StepInputs &in, const gpudem::Recording &record);
@@ -75,6 +78,7 @@ class VerletGpudem : public Verlet {
   bool rowsDue = false;         ///< rows must be rebuilt before the next force
   bool hostListsBuilt = false;  ///< this run built neighbour lists on the host
   std::unique_ptr<class Irregular> irregular;  ///< of grains that skip ranks
+  int handOvers = 0;  ///< rebuilds of this run at which LAMMPS handed grains on
   bigint lastRebuild = 0;
   int rebuildInterval = 16;  ///< steps between the last two rebuilds
   std::string printedLevels; ///< the line on neighbour levels printed last

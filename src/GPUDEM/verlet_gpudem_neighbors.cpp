@@ -115,6 +115,7 @@ void VerletGpudem::rebuildRows()
 /// LAMMPS' own reneighbouring with all its hooks: insertion, deletion, lost atoms.
 void VerletGpudem::rebuildThroughHost()
 {
+  ++handOvers;
   state.deviceMoved();
   state.contactsMoved();
   state.downloadAll(plan);

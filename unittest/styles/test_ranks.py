@@ -70,7 +70,7 @@ class SameAnswerBase(RanksTest):
 OPEN = dict(boundary="s s s")
 GROUPS = {
     "SameAnswer": {
-        "hooke_history": Case(),
+        "hooke_history": Case(thermo=scenes.THERMO + " press temp"),
         "hooke": Case(scene=dict(boundary="p p f", pair=scenes.HOOKE), ranks=(4, 7)),
         "hertz_history": Case(scene=dict(boundary="p p f", pair=scenes.HERTZ_HISTORY), ranks=(2, 5)),
         "granular": Case(scene=dict(boundary="p p f", pair="granular", coeff=(
@@ -102,6 +102,7 @@ GROUPS = {
     "Layouts": {
         "tiled": Case(fixes=NVE + DOWN + WALLS + "comm_style tiled\nbalance 1.0 rcb\n", ranks=(3, 7)),
         "slices": Case(fixes=NVE + DOWN + WALLS + SLICES.format(20), ranks=(5, 8)),
+        "slices_by_time": Case(fixes=NVE + DOWN + WALLS + "fix even all balance/slice 20 1.0 weight time 1.0\n", ranks=(4,)),
         "slices_at_the_start": Case(fixes=NVE + DOWN + WALLS + SLICES.format(0), ranks=(5,)),
         "stock_balance": Case(fixes=NVE + DOWN + WALLS + "fix even all balance 20 1.0 shift xyz 5 1.0\n", ranks=(4, 8)),
         "moved_slices_in_an_open_box": Case(fixes=NVE + SLICES.format(10), scene=OPEN, ranks=(3, 8),

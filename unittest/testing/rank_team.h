@@ -58,12 +58,18 @@ class RankTeam {
       }
       team_.meet();
     }
-    void largest(double *values, int count) override
+    void beginLargest(double *values, int count) override
     {
-      std::vector<double> all(static_cast<std::size_t>(count) * ranks());
-      gather(std::vector<double>(values, values + count).data(), count, all.data());
+      values_ = values;
+      mine_.assign(values, values + count);
+    }
+    void endLargest() override
+    {
+      const int count = static_cast<int>(mine_.size());
+      std::vector<double> all(mine_.size() * ranks());
+      gather(mine_.data(), count, all.data());
       for (int r = 0; r < ranks(); ++r)
-        for (int k = 0; k < count; ++k) values[k] = std::max(values[k], all[static_cast<std::size_t>(r) * count + k]);
+        for (int k = 0; k < count; ++k) values_[k] = std::max(values_[k], all[static_cast<std::size_t>(r) * count + k]);
     }
     void exchange(const std::vector<RankMessage> &send, const std::vector<RankMessage> &receive) override
     {
@@ -87,6 +93,8 @@ class RankTeam {
    private:
     RankTeam &team_;
     int rank_;
+    double *values_ = nullptr;
+    std::vector<double> mine_;
   };
 
   /// Wait for all ranks.

@@ -86,7 +86,8 @@ class GhostLayer {
       index_{"grains in messages"}, order_{"order of the ghosts"}, key_{"cell keys of the ghosts"},
       sorted_{"cells of the ghosts"};
   Array<unsigned char> packed_{"messages to other ranks"}, received_{"messages from other ranks"};
-  std::vector<unsigned char> hostPacked_, hostReceived_;
+  typename Exec::template HostArray<unsigned char> hostPacked_{"messages to other ranks on the host"},
+      hostReceived_{"messages from other ranks on the host"};
 };
 
 /// Cell in which a ghost is searched.
@@ -227,8 +228,8 @@ void GhostLayer<Exec, P>::swap(Exec &exec, std::size_t size)
   if (direct) {
     exec.synchronize();
   } else {
-    hostPacked_.resize(size * sent_);
-    hostReceived_.resize(size * ghosts_);
+    hostPacked_.reserveWithSlack(size * sent_);
+    hostReceived_.reserveWithSlack(size * ghosts_);
     out = hostPacked_.data();
     in = hostReceived_.data();
     exec.copyOut(out, packed_.data(), size * sent_);

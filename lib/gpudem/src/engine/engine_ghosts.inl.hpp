@@ -75,12 +75,13 @@ void EngineImpl<Exec, P>::exchangeGrains()
 template <class Exec, class P>
 void EngineImpl<Exec, P>::followGhosts(const PositionArrays<P> &grains)
 {
-  layer_.refresh(exec_, count_, grains);
   Status s;
   exec_.copyOut(&s, status_.data(), 1);
   double alarm[3] = {s.lastAllowed != noLimit ? 1.0 : 0.0, s.rebuildAfter != noLimit ? 1.0 : 0.0,
                      static_cast<double>(floatOf(s.longestStep2))};
-  layer_.ranks().largest(alarm, 3);
+  layer_.ranks().beginLargest(alarm, 3);
+  layer_.refresh(exec_, count_, grains);
+  layer_.ranks().endLargest();
   stopAgreed_ = stopAgreed_ || alarm[0] > 0.0;
   rebuildAgreed_ = rebuildAgreed_ || alarm[1] > 0.0;
   longestAgreed2_ = static_cast<float>(alarm[2]);

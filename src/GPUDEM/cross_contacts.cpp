@@ -12,7 +12,8 @@ namespace {
 
 /// What each rank gets, from blocks of \p width doubles that lie in the order of the ranks.
 /// \param blocks [ranks] sent to each rank; on return those received from each
-std::vector<double> deliver(MPI_Comm world, const std::vector<double> &send, std::vector<int> &blocks, std::size_t width)
+std::vector<double> deliver(MPI_Comm world, const std::vector<double> &send, std::vector<int> &blocks,
+                            std::size_t width)
 {
   const int ranks = static_cast<int>(blocks.size()), w = static_cast<int>(width);
   std::vector<int> from(ranks), sendAt(ranks + 1, 0), receiveAt(ranks + 1, 0);

@@ -59,6 +59,18 @@ void FixBalanceSlice::pre_exchange()
   check(true);
 }
 
+bool FixBalanceSlice::isEvenByCount()
+{
+  if (!balancer.countsOnly() || update->ntimestep == lastCheck) return false;
+  balancer.weigh(false);
+  const SliceBalancer::Load now = balancer.load();
+  if (now.imbalance > balancer.threshold()) return false;
+  lastCheck = update->ntimestep;
+  before = after = now;
+  next_reneighbor = (update->ntimestep / nevery) * nevery + nevery;
+  return true;
+}
+
 void FixBalanceSlice::check(bool listIsCurrent)
 {
   // twice in one step would give the measured time a second meaning

@@ -16,6 +16,8 @@ class FixBalanceSlice : public Fix {
   void init() override;
   void setup_pre_exchange() override;
   void pre_exchange() override;
+  /// The check of this step, if it needs no particle. \return true if it is done and nothing is to be moved
+  bool isEvenByCount();
   /// Do weights read the neighbour list?
   bool needsNeighbors() const { return balancer.needsNeighbors(); }
   bool weighsByVariable() const { return balancer.weighsByVariable(); }

@@ -59,7 +59,8 @@ std::string balanceObstacle(const Fix *fix)
                        fix->style);
   }
   if (!GpudemCompat::weighs(fix)) return "";
-  return fmt::format("fix {} ({}) weighs particles, which is possible with fix balance/slice only", fix->id, fix->style);
+  return fmt::format("fix {} ({}) weighs particles, which is possible with fix balance/slice only", fix->id,
+                     fix->style);
 }
 
 /// First obstacle to residency, empty if there is none.
@@ -277,8 +278,10 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
   for (int k = 0; plan.hostLists && lmp->comm->nprocs > 1 && k < lmp->modify->nfix; ++k) {
     const auto *slice = dynamic_cast<const FixBalanceSlice *>(lmp->modify->fix[k]);
     if (!slice || !slice->weighsByVariable()) continue;
-    plan.reason = fmt::format("fix {} ({}) weighs particles by a variable, and a style reads neighbour lists on the host, "
-                              "which are not there when it does", slice->id, slice->style);
+    plan.reason = fmt::format(
+        "fix {} ({}) weighs particles by a variable, and a style reads neighbour lists on the host, "
+        "which are not there when it does",
+        slice->id, slice->style);
     return plan;
   }
   describeSkipped(lmp, plan);

@@ -32,11 +32,11 @@ class ResidentState : protected Pointers {
   void uploadAll(const ResidentPlan &plan, FixNeighHistoryGpudem::Source source);
   /// Rows from the present positions, in the present box and sub-domain.
   void rebuild();
-  /// Width of the thinnest sub-domain of any rank (distance). Collective.
-  double thinnestSubDomain() const;
-  /// Note how far grains may leave their sub-domain: LAMMPS hands them on to ranks that touch only. Collective.
-  void noteSubDomains();
-  /// How far a grain may be outside before LAMMPS must hand it on (distance).
+  /// To be called whenever sub-domains have changed. Collective.
+  /// \return the width of the thinnest of any rank (distance), 0 on one rank
+  double noteSubDomains();
+  /// How far a grain may be outside its sub-domain before LAMMPS must hand it on (distance). A hand-over takes all
+  /// particles through the host; a grain outside takes ghosts, as if the sub-domain were larger.
   double strayLimit(const ResidentPlan &plan) const;
   /// Everything to the host that is out of date there.
   void downloadAll(const ResidentPlan &plan);

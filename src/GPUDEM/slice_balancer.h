@@ -47,6 +47,8 @@ class SliceBalancer : protected Pointers {
   Outcome balance();
 
   double threshold() const { return threshold_; }
+  /// Do all particles weigh the same?
+  bool countsOnly() const { return weights_.empty(); }
   bool weighsByVariable() const;
   bool needsNeighbors() const;
   /// What the weights are, one line each.

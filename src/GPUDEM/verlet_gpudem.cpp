@@ -195,7 +195,7 @@ void VerletGpudem::eventStep(bigint step)
     rowsDue = state.toDevice() || rowsDue;
     timer->stamp(Timer::MODIFY);
   }
-  // with several ranks lists on the host need every grain in its sub-domain, and grains cannot move once they have forces
+  // lists on the host need every grain in its sub-domain, and once grains have forces they cannot be handed on
   const bool lists = comm->nprocs > 1 && readsLists(step);
   if (reneighborAsked(step) || lists || (rowsDue && plan.hostRebuilds)) rebuildThroughHost();
   else if (rowsDue) rebuildRows();
@@ -317,6 +317,7 @@ const gpudem::KineticSums &VerletGpudem::kineticSums(unsigned groupMask, const g
   sumsStep = update->ntimestep;
   const auto key = std::make_pair(groupMask, gravity);
   auto found = sums.find(key);
-  if (found == sums.end()) found = sums.emplace(key, sumOverRanks(state.engine().kineticSums(groupMask, gravity))).first;
+  if (found == sums.end())
+    found = sums.emplace(key, sumOverRanks(state.engine().kineticSums(groupMask, gravity))).first;
   return found->second;
 }

@@ -78,7 +78,7 @@ class VerletGpudem : public Verlet {
   bool rowsDue = false;         ///< rows must be rebuilt before the next force
   bool hostListsBuilt = false;  ///< this run built neighbour lists on the host
   std::unique_ptr<class Irregular> irregular;  ///< of grains that skip ranks
-  int handOvers = 0;  ///< rebuilds of this run at which LAMMPS handed grains on
+  int handOvers = 0;                           ///< rebuilds of this run at which LAMMPS handed grains on
   bigint lastRebuild = 0;
   int rebuildInterval = 16;  ///< steps between the last two rebuilds
   std::string printedLevels; ///< the line on neighbour levels printed last

@@ -4,6 +4,7 @@
 
 #include "verlet_gpudem.h"
 
+#include "fix_balance_slice.h"
 #include "fix_neigh_history_gpudem.h"
 #include "resident.h"
 
@@ -28,9 +29,13 @@ using namespace LAMMPS_NS;
 /// A fix scheduled this step, or a restart is written: LAMMPS reneighbours then, whatever has moved.
 bool VerletGpudem::reneighborAsked(bigint step) const
 {
-  for (const Fix *fix : plan.scheduled)
-    if (fix->next_reneighbor == step) return true;
-  return output->restart_flag && output->next_restart == step;
+  bool asked = false;
+  for (Fix *fix : plan.scheduled) {
+    if (fix->next_reneighbor != step) continue;
+    auto *slice = dynamic_cast<FixBalanceSlice *>(fix);
+    asked = !(slice && slice->isEvenByCount()) || asked;
+  }
+  return asked || (output->restart_flag && output->next_restart == step);
 }
 
 /// Let LAMMPS fit a shrink-wrapped box to the extent of the grains, without the grains.
@@ -55,7 +60,7 @@ void VerletGpudem::shrinkWrap(const gpudem::Extent &extent)
     for (int d = 0; d < 3; ++d) atom->x[k][d] = kept[k][d];
 }
 
-/// Must LAMMPS decide about a grain that left the box, or one that is far from its rank's sub-domain? On all ranks alike.
+/// Must LAMMPS decide about a grain that left the box, or one far from its rank's sub-domain? The same on all ranks.
 bool VerletGpudem::mustHandOn(const gpudem::Extent &extent) const
 {
   int must = 0;
@@ -81,8 +86,7 @@ void VerletGpudem::handOnFarGrains()
       if (domain->periodicity[d]) away -= domain->prd[d] * std::floor(away / domain->prd[d] + 0.5);
       farthest = std::max(farthest, std::fabs(away) - 0.5 * width);
     }
-  state.noteSubDomains();
-  int skips = farthest > 0.9 * state.thinnestSubDomain();
+  int skips = farthest > 0.9 * state.noteSubDomains();
   MPI_Allreduce(MPI_IN_PLACE, &skips, 1, MPI_INT, MPI_MAX, world);
   if (!skips) return;
   if (!irregular) irregular = std::make_unique<Irregular>(lmp);

@@ -78,8 +78,8 @@ std::string VerletGpudem::describeRanks() const
   const int gpus = plan.possible && state.onGpu() ? gpudem::gpuCount() : 0, here = ranks->ranksOnHost();
   std::string sharing;
   if (gpus > 0)
-    sharing = here > gpus ? fmt::format(", {} on {} GPU{}: ranks of a GPU take turns, one rank for each is faster", here,
-                                        gpus, gpus > 1 ? "s" : "")
+    sharing = here > gpus ? fmt::format(", {} on {} GPU{}: ranks of a GPU take turns, one rank for each is faster",
+                                        here, gpus, gpus > 1 ? "s" : "")
                           : ", a GPU for each";
   return fmt::format("  ranks     : {}{}; ghosts by {}\n", ranks->ranks(), sharing, ranks->name());
 }
@@ -94,8 +94,8 @@ void VerletGpudem::printGhosts()
   MPI_Allreduce(MPI_IN_PLACE, values, 3, MPI_DOUBLE, MPI_MAX, world);
   if (comm->me == 0)
     utils::logmesg(lmp,
-                   "GPUDEM ranks: grains handed on at {} of {} rebuilds; ghosts of a rank at the end {} to {}, partners "
-                   "at most {}\n",
+                   "GPUDEM ranks: grains handed on at {} of {} rebuilds; ghosts of a rank at the end {} to {}, "
+                   "partners at most {}\n",
                    handOvers, neighbor->ncalls, -values[0], values[1], values[2]);
 }
 

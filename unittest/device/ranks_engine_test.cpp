@@ -113,8 +113,8 @@ Grains shareOf(const Case &c, const Box &box, const Grains &all, int rank)
 }
 
 struct Final {
-  std::map<int, std::array<double, 12>> grains;                                 ///< x, v, omega, f by tag
-  std::map<std::pair<int, int>, std::array<double, 3>> springs;                 ///< as the first tag sees them
+  std::map<int, std::array<double, 12>> grains;                  ///< x, v, omega, f by tag
+  std::map<std::pair<int, int>, std::array<double, 3>> springs;  ///< as the first tag sees them
   std::array<double, 6> virial{};
   std::int64_t ghosts = 0, rebuilds = 0;
 

@@ -100,6 +100,8 @@ GROUPS = {
         "uneven_grid": Case(processors="1 1 *", ranks=(7, 8)),
     },
     "Layouts": {
+        "even_slices_stay": Case(fixes=NVE + DOWN + WALLS + "fix even all balance/slice 20 1.3\n", ranks=(4,),
+                                 steps=200),
         "tiled": Case(fixes=NVE + DOWN + WALLS + "comm_style tiled\nbalance 1.0 rcb\n", ranks=(3, 7)),
         "slices": Case(fixes=NVE + DOWN + WALLS + SLICES.format(20), ranks=(5, 8)),
         "slices_by_time": Case(fixes=NVE + DOWN + WALLS + "fix even all balance/slice 20 1.0 weight time 1.0\n", ranks=(4,)),
@@ -144,6 +146,12 @@ class Commands(RanksTest):
         ours = self.resident(text, self.FILES, 4)
         compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
         compare_thermo(self, stock.thermo(), ours.thermo(), DOUBLE)
+
+    def test_same_bits_again(self):
+        text = scenes.scene(NVE + DOWN + WALLS + SLICES.format(20), boundary="p p f", steps=200)
+        for precision in ("double", "mixed"):
+            one, two = (self.resident(text, self.FILES, 5, precision).path("dump.out").read_bytes() for _ in range(2))
+            self.assertEqual(one, two)
 
     def test_mixed(self):
         text = scenes.scene(NVE + DOWN + WALLS + SLICES.format(20), boundary="p p f", steps=100)

@@ -77,8 +77,7 @@ class RankTeam {
       team_.meet();
       for (const RankMessage &wanted : receive) {
         const std::vector<RankMessage> &sent = team_.mail_[wanted.rank];
-        const auto it =
-            std::find_if(sent.begin(), sent.end(), [&](const RankMessage &m) { return m.rank == rank_; });
+        const auto it = std::find_if(sent.begin(), sent.end(), [&](const RankMessage &m) { return m.rank == rank_; });
         if (it == sent.end() || it->bytes != wanted.bytes) throw Error("a message is not what its receiver expects");
         std::memcpy(wanted.data, it->data, it->bytes);
       }

@@ -124,8 +124,8 @@ struct NeighborReport {
 ///
 /// With several ranks each engine holds the grains of its rank and ghosts of others within reach. setScene(), upload(),
 /// uploadFields(), rebuild() and all that advances steps are then collective: same calls, same order, same scene (the
-/// largest radius is that of all ranks). Steps stop, and rebuilds are asked for, on all ranks at once. What is summed or
-/// copied out is that of the rank's own grains.
+/// largest radius is that of all ranks). Steps stop, and rebuilds are asked for, on all ranks at once. What is summed
+/// or copied out is that of the rank's own grains.
 ///
 /// Phases. *At step*: x_n, v_n and f_n are known. *Mid step*: x_(n+1), v_(n+1/2) are known, the force is not.
 /// Every call throws gpudem::Error on failure and leaves no half-written host array.

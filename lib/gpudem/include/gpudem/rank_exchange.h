@@ -15,7 +15,7 @@ struct RankMessage {
   std::size_t bytes;
 };
 
-/// Ranks that share a box. Every call but the first three is collective: all ranks make the same calls in the same order.
+/// Ranks that share a box. All calls but the first three are collective: every rank makes them in the same order.
 class RankExchange {
  public:
   virtual ~RankExchange() = default;

@@ -147,8 +147,8 @@ VelocityRange GhostLayer<Exec, P>::survey(Exec &exec, const RankExtent &own, std
     if (r == exchange_->rank() || !count) continue;
     double apart2 = 0.0;  // the same on both sides to the last bit, so that both expect the other's message
     for (int d = 0; d < 3; ++d) {
-      const double apart = std::abs(shorterWay(std::abs(mine.middle[d] - other.middle[d]), period[d])) -
-                           (mine.half[d] + other.half[d]);
+      const double apart =
+          std::abs(shorterWay(std::abs(mine.middle[d] - other.middle[d]), period[d])) - (mine.half[d] + other.half[d]);
       if (apart > 0.0) apart2 += apart * apart;
     }
     const double reach = (mine.radius + other.radius) * 1.0001 + beyond;
@@ -180,7 +180,8 @@ std::uint32_t GhostLayer<Exec, P>::select(Exec &exec, std::uint32_t count, Selec
   exec.forEach(count, ListMarked{flag_.data(), place_.data(), nullptr, 1, boundary_.data()});
 
   const std::uint64_t pairs = static_cast<std::uint64_t>(size) * partners;
-  if (pairs >> 32) throw Error(fmt::format("{} grains at the border to {} ranks exceed the 32-bit index", size, partners));
+  if (pairs >> 32)
+    throw Error(fmt::format("{} grains at the border to {} ranks exceed the 32-bit index", size, partners));
   const auto items = static_cast<std::uint32_t>(pairs);
   flag_.reserveWithSlack(std::max(items, partners + 1));
   place_.reserveWithSlack(pairs + 1);
@@ -258,8 +259,7 @@ void GhostLayer<Exec, P>::introduce(Exec &exec, std::uint32_t count, const Grain
   key_.reserveWithSlack(ghosts_);
   sorted_.reserveWithSlack(ghosts_);
   order_.reserveWithSlack(ghosts_);
-  exec.forEach(ghosts_,
-               PlaceGhosts<P>{records, grains.position.fineMask, levels, grid, frame, key_.data()});
+  exec.forEach(ghosts_, PlaceGhosts<P>{records, grains.position.fineMask, levels, grid, frame, key_.data()});
   exec.sort(key_, sorted_, order_, ghosts_, levels.cells());
   exec.forEach(ghosts_, UnpackRecords<P>{records, order_.data(), count, grains, spare});
   exec.forEach(ghosts_, CopyValues<std::uint32_t>{sorted_.data(), cell + count});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file What a rank tells another about a grain: all that its contacts need, once, and what a step changes, every step.
+/// \file What a rank tells another about a grain: once all that its contacts need, then at every step what changed.
 ///
 /// Coordinates are modulo the window and windows are the same on all ranks, so that the bits of a position are right
 /// wherever they go: a ghost across a periodic face needs no shift.
@@ -27,7 +27,7 @@ struct GhostState<Double> {
 
 /// What stays until rows are built anew.
 struct GhostIdentity {
-  double radius;       ///< (distance)
+  double radius;  ///< (distance)
   double mass;
   std::int32_t tag;
   std::int32_t type;
@@ -172,8 +172,14 @@ struct PackRecords {
     const auto &motion = in.position.motion[i];
     GhostRecord<P> r;
     r.state = ghostState(in.position, i);
-    r.identity = {loadPosition(in.position, i).radius, static_cast<double>(motion.mass), in.tag[i], in.type[i],
-                  in.mask[i], in.home[i], motion.word, 0u};
+    r.identity = {loadPosition(in.position, i).radius,
+                  static_cast<double>(motion.mass),
+                  in.tag[i],
+                  in.type[i],
+                  in.mask[i],
+                  in.home[i],
+                  motion.word,
+                  0u};
     out[k] = r;
   }
 };

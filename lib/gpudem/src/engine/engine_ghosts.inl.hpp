@@ -20,8 +20,7 @@ VelocityRange EngineImpl<Exec, P>::velocities()
 {
   const float huge = std::numeric_limits<float>::max();
   const VelocityRange none{{huge, huge, huge}, {-huge, -huge, -huge}};
-  if (!layer_.joined())
-    return exec_.reduce(count_, GrainVelocity<Real>{motion_[motNow_].data()}, JoinRanges{}, none);
+  if (!layer_.joined()) return exec_.reduce(count_, GrainVelocity<Real>{motion_[motNow_].data()}, JoinRanges{}, none);
   const double far = std::numeric_limits<double>::max();
   const RankExtent nothing{{far, far, far}, {-far, -far, -far}, 0.0, none};
   const Vec3<double> middle = toVec3(home_.middle), period = periods();

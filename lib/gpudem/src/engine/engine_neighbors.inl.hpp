@@ -22,8 +22,9 @@ Extent EngineImpl<Exec, P>::extent(const Box &box)
   const bool seen = layer_.joined();
   const double huge = std::numeric_limits<double>::max();
   const ExtentSum none{{huge, huge, huge}, {-huge, -huge, -huge}, 0};
-  const ExtentSum s = exec_.reduce(count_, GrainExtent<P>{positions(), cell_.data(), grid_, frame_, toBoxView(box), seen, toVec3(home_.middle)},
-                                   JoinExtents{}, none);
+  const ExtentSum s = exec_.reduce(
+      count_, GrainExtent<P>{positions(), cell_.data(), grid_, frame_, toBoxView(box), seen, toVec3(home_.middle)},
+      JoinExtents{}, none);
   for (int d = 0; d < 3; ++d) {
     e.lo[d] = s.lo[d];
     e.hi[d] = s.hi[d];

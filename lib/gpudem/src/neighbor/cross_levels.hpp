@@ -10,7 +10,8 @@
 
 namespace gpudem {
 
-/// Call visit(j) for every grain j of a coarser level within the coarse reach of grain i; of two ghosts neither has a row.
+/// Call visit(j) for every grain j of a coarser level within the coarse reach of grain i. Two ghosts are no pair: neither
+/// has a row.
 template <class P, class Visit>
 GPUDEM_HD void forEachCoarserNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
 {

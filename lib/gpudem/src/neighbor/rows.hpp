@@ -57,8 +57,8 @@ struct CrossView {
 template <class P>
 struct BuildView {
   using Real = typename P::Real;
-  std::uint32_t count;        ///< grains that get rows
-  std::uint32_t ghosts;       ///< grains of other ranks, behind them
+  std::uint32_t count;   ///< grains that get rows
+  std::uint32_t ghosts;  ///< grains of other ranks, behind them
   PositionArrays<P> position;
   const std::uint32_t *mask;  ///< [n] group bits
   const int *type;

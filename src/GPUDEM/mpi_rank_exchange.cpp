@@ -67,14 +67,14 @@ void MpiRankExchange::beginLargest(double *values, int count)
   MPI_Iallreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, comm_, &largest_);
 }
 
-void MpiRankExchange::endLargest()
+void MpiRankExchange::finishLargest()
 {
   const Clock clock(seconds_);
   MPI_Wait(&largest_, MPI_STATUS_IGNORE);
 }
 
-void MpiRankExchange::exchange(const std::vector<gpudem::RankMessage> &send,
-                               const std::vector<gpudem::RankMessage> &receive)
+void MpiRankExchange::beginExchange(const std::vector<gpudem::RankMessage> &send,
+                                    const std::vector<gpudem::RankMessage> &receive)
 {
   const Clock clock(seconds_);
   requests_.resize(send.size() + receive.size());
@@ -83,5 +83,10 @@ void MpiRankExchange::exchange(const std::vector<gpudem::RankMessage> &send,
     MPI_Irecv(m.data, lengthOf(m), MPI_BYTE, m.rank, ghostTag, comm_, &requests_[k++]);
   for (const gpudem::RankMessage &m : send)
     MPI_Isend(m.data, lengthOf(m), MPI_BYTE, m.rank, ghostTag, comm_, &requests_[k++]);
-  MPI_Waitall(static_cast<int>(k), requests_.data(), MPI_STATUSES_IGNORE);
+}
+
+void MpiRankExchange::finishExchange()
+{
+  const Clock clock(seconds_);
+  MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
 }

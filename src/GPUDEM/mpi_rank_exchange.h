@@ -23,8 +23,10 @@ class MpiRankExchange : public gpudem::RankExchange {
   int ranks() const override { return ranks_; }
   void gather(const double *mine, int count, double *all) override;
   void beginLargest(double *values, int count) override;
-  void endLargest() override;
-  void exchange(const std::vector<gpudem::RankMessage> &send, const std::vector<gpudem::RankMessage> &receive) override;
+  void finishLargest() override;
+  void beginExchange(const std::vector<gpudem::RankMessage> &send,
+                     const std::vector<gpudem::RankMessage> &receive) override;
+  void finishExchange() override;
 
   /// This rank among those of its host, and how many they are.
   int rankOnHost() const { return rankOnHost_; }

@@ -63,7 +63,7 @@ class RankTeam {
       values_ = values;
       mine_.assign(values, values + count);
     }
-    void endLargest() override
+    void finishLargest() override
     {
       const int count = static_cast<int>(mine_.size());
       std::vector<double> all(mine_.size() * ranks());
@@ -71,11 +71,15 @@ class RankTeam {
       for (int r = 0; r < ranks(); ++r)
         for (int k = 0; k < count; ++k) values_[k] = std::max(values_[k], all[static_cast<std::size_t>(r) * count + k]);
     }
-    void exchange(const std::vector<RankMessage> &send, const std::vector<RankMessage> &receive) override
+    void beginExchange(const std::vector<RankMessage> &send, const std::vector<RankMessage> &receive) override
     {
       team_.mail_[rank_] = send;
+      receive_ = receive;
+    }
+    void finishExchange() override
+    {
       team_.meet();
-      for (const RankMessage &wanted : receive) {
+      for (const RankMessage &wanted : receive_) {
         const std::vector<RankMessage> &sent = team_.mail_[wanted.rank];
         const auto it = std::find_if(sent.begin(), sent.end(), [&](const RankMessage &m) { return m.rank == rank_; });
         if (it == sent.end() || it->bytes != wanted.bytes) throw Error("a message is not what its receiver expects");
@@ -85,13 +89,14 @@ class RankTeam {
       for (const auto &sent : team_.mail_)
         meant += static_cast<std::size_t>(
             std::count_if(sent.begin(), sent.end(), [&](const RankMessage &m) { return m.rank == rank_; }));
-      if (meant != receive.size()) throw Error("a message has no receiver");
+      if (meant != receive_.size()) throw Error("a message has no receiver");
       team_.meet();
     }
 
    private:
     RankTeam &team_;
     int rank_;
+    std::vector<RankMessage> receive_;
     double *values_ = nullptr;
     std::vector<double> mine_;
   };

@@ -27,12 +27,13 @@ class RankExchange {
   /// \param mine [count]
   /// \param all  [ranks][count] the numbers of all ranks
   virtual void gather(const double *mine, int count, double *all) = 0;
-  /// Replace each number by the largest of all ranks. Other calls may lie between begin and end; until then the
+  /// Replace each number by the largest of all ranks. Other calls may lie between begin and finish; until then the
   /// numbers must stay where they are.
   virtual void beginLargest(double *values, int count) = 0;
-  virtual void endLargest() = 0;
-  /// Send and receive, return when all is there. A rank names in \p receive exactly what others send to it.
-  virtual void exchange(const std::vector<RankMessage> &send, const std::vector<RankMessage> &receive) = 0;
+  virtual void finishLargest() = 0;
+  /// Send and receive, as above. A rank names in \p receive exactly what others send to it.
+  virtual void beginExchange(const std::vector<RankMessage> &send, const std::vector<RankMessage> &receive) = 0;
+  virtual void finishExchange() = 0;
 };
 
 }  // namespace gpudem

@@ -8,6 +8,7 @@
 
 #include "decomp/ghost_select.hpp"
 #include "decomp/ghost_state.hpp"
+#include "decomp/unit_list.hpp"
 #include "gpudem/errors.h"
 #include "gpudem/rank_exchange.h"
 #include "neighbor/levels.hpp"
@@ -37,8 +38,9 @@ class GhostLayer {
 
   /// Which grains the partners need, and how many ghosts there will be.
   /// \param s without partners
+  /// \param unit grains of a unit of work
   /// \return the number of ghosts
-  std::uint32_t select(Exec &exec, std::uint32_t count, SelectionView<P> s);
+  std::uint32_t select(Exec &exec, std::uint32_t count, SelectionView<P> s, std::uint32_t unit);
 
   /// Fetch the records of the ghosts and sort them by cell, into their places behind the \p count grains.
   /// \param cell  where the sorted cells of the ghosts go
@@ -46,16 +48,25 @@ class GhostLayer {
   void introduce(Exec &exec, std::uint32_t count, const GrainArrays<P> &grains, const PositionArrays<P> &spare,
                  const LevelGrid &levels, const CellGrid &grid, const Frame &frame, std::uint32_t *cell);
 
-  /// Fetch the present motion of the ghosts.
-  void refresh(Exec &exec, std::uint32_t count, const PositionArrays<P> &grains)
+  /// Send the present motion of the grains that others see.
+  void beginRefresh(Exec &exec, const PositionArrays<P> &grains)
   {
     packed_.reserveWithSlack(sizeof(GhostState<P>) * sent_);
     received_.reserveWithSlack(sizeof(GhostState<P>) * ghosts_);
     exec.forEach(sent_, PackStates<P>{grains, index_.data(), reinterpret_cast<GhostState<P> *>(packed_.data())});
-    swap(exec, sizeof(GhostState<P>));
+    beginSwap(exec, sizeof(GhostState<P>));
+  }
+  /// Wait for the motion of the ghosts.
+  void finishRefresh(Exec &exec, std::uint32_t count, const PositionArrays<P> &grains)
+  {
+    finishSwap(exec, sizeof(GhostState<P>));
     exec.forEach(ghosts_, UnpackStates<P>{reinterpret_cast<const GhostState<P> *>(received_.data()), order_.data(),
                                           count, grains});
   }
+
+  /// Units of work with grains that other ranks see, and the others.
+  UnitList border() const { return {border_.data(), borderUnits_}; }
+  UnitList interior() const { return {interior_.data(), units_ - borderUnits_}; }
 
   std::uint32_t ghosts() const { return ghosts_; }
   std::uint32_t sent() const { return sent_; }
@@ -63,7 +74,7 @@ class GhostLayer {
   std::size_t bytes() const
   {
     return extent_.bytes() + flag_.bytes() + place_.bytes() + boundary_.bytes() + index_.bytes() + order_.bytes() +
-           key_.bytes() + sorted_.bytes() + packed_.bytes() + received_.bytes();
+           key_.bytes() + sorted_.bytes() + border_.bytes() + interior_.bytes() + packed_.bytes() + received_.bytes();
   }
 
  private:
@@ -73,18 +84,21 @@ class GhostLayer {
   };
 
   void tellCounts();
-  void swap(Exec &exec, std::size_t size);
+  void divideUnits(Exec &exec, std::uint32_t count, std::uint32_t unit);
+  void beginSwap(Exec &exec, std::size_t size);
+  void finishSwap(Exec &exec, std::size_t size);
+  bool direct() const { return !Exec::onGpu || exchange_->readsDeviceMemory(); }
 
   template <class T>
   using Array = typename Exec::template Array<T>;
 
   RankExchange *exchange_ = nullptr;
   std::vector<Partner> partners_;
-  std::uint32_t sent_ = 0, ghosts_ = 0;
+  std::uint32_t sent_ = 0, ghosts_ = 0, units_ = 0, borderUnits_ = 0;
   Array<PartnerExtent> extent_{"extents of other ranks"};
   Array<std::uint32_t> flag_{"flags of the boundary"}, place_{"places in messages"}, boundary_{"boundary"},
       index_{"grains in messages"}, order_{"order of the ghosts"}, key_{"cell keys of the ghosts"},
-      sorted_{"cells of the ghosts"};
+      sorted_{"cells of the ghosts"}, border_{"units at the border"}, interior_{"units in the interior"};
   Array<unsigned char> packed_{"messages to other ranks"}, received_{"messages from other ranks"};
   typename Exec::template HostArray<unsigned char> hostPacked_{"messages to other ranks on the host"},
       hostReceived_{"messages from other ranks on the host"};
@@ -164,13 +178,16 @@ VelocityRange GhostLayer<Exec, P>::survey(Exec &exec, const RankExtent &own, std
 }
 
 template <class Exec, class P>
-std::uint32_t GhostLayer<Exec, P>::select(Exec &exec, std::uint32_t count, SelectionView<P> s)
+std::uint32_t GhostLayer<Exec, P>::select(Exec &exec, std::uint32_t count, SelectionView<P> s, std::uint32_t unit)
 {
   const auto partners = static_cast<std::uint32_t>(partners_.size());
   s.partner = extent_.data();
   s.partners = partners;
   sent_ = ghosts_ = 0;
-  if (partners == 0) return 0;
+  if (partners == 0) {
+    divideUnits(exec, count, unit);
+    return 0;
+  }
 
   flag_.reserveWithSlack(count);
   place_.reserveWithSlack(static_cast<std::size_t>(count) + 1);
@@ -198,7 +215,25 @@ std::uint32_t GhostLayer<Exec, P>::select(Exec &exec, std::uint32_t count, Selec
     partners_[k].send = from[k + 1] - from[k];
   }
   tellCounts();
+  divideUnits(exec, count, unit);
   return ghosts_;
+}
+
+template <class Exec, class P>
+void GhostLayer<Exec, P>::divideUnits(Exec &exec, std::uint32_t count, std::uint32_t unit)
+{
+  units_ = (count + unit - 1) / unit;
+  flag_.reserveWithSlack(units_);
+  place_.reserveWithSlack(static_cast<std::size_t>(units_) + 1);
+  border_.reserveWithSlack(units_);
+  interior_.reserveWithSlack(units_);
+  exec.fill(flag_.data(), units_, 0);
+  exec.forEach(sent_, MarkUnits{index_.data(), unit, flag_.data()});
+  borderUnits_ = static_cast<std::uint32_t>(exec.exclusiveScan(flag_.data(), place_.data(), units_));
+  exec.forEach(units_, ListMarked{flag_.data(), place_.data(), nullptr, 1, border_.data()});
+  exec.forEach(units_, InvertFlags{flag_.data()});
+  exec.exclusiveScan(flag_.data(), place_.data(), units_);
+  exec.forEach(units_, ListMarked{flag_.data(), place_.data(), nullptr, 1, interior_.data()});
 }
 
 /// How many grains will come from each partner.
@@ -210,7 +245,8 @@ void GhostLayer<Exec, P>::tellCounts()
     send.push_back({partner.rank, &partner.send, sizeof partner.send});
     receive.push_back({partner.rank, &partner.receive, sizeof partner.receive});
   }
-  exchange_->exchange(send, receive);
+  exchange_->beginExchange(send, receive);
+  exchange_->finishExchange();
   std::uint64_t total = 0;
   for (Partner &partner : partners_) {
     partner.receiveFrom = static_cast<std::uint32_t>(total);
@@ -222,11 +258,10 @@ void GhostLayer<Exec, P>::tellCounts()
 
 /// Messages of \p size bytes a grain, from packed_ to received_.
 template <class Exec, class P>
-void GhostLayer<Exec, P>::swap(Exec &exec, std::size_t size)
+void GhostLayer<Exec, P>::beginSwap(Exec &exec, std::size_t size)
 {
-  const bool direct = !Exec::onGpu || exchange_->readsDeviceMemory();
   unsigned char *out = packed_.data(), *in = received_.data();
-  if (direct) {
+  if (direct()) {
     exec.synchronize();
   } else {
     hostPacked_.reserveWithSlack(size * sent_);
@@ -240,8 +275,14 @@ void GhostLayer<Exec, P>::swap(Exec &exec, std::size_t size)
     if (partner.send) send.push_back({partner.rank, out + size * partner.sendFrom, size * partner.send});
     if (partner.receive) receive.push_back({partner.rank, in + size * partner.receiveFrom, size * partner.receive});
   }
-  exchange_->exchange(send, receive);
-  if (!direct) exec.copyIn(received_.data(), in, size * ghosts_);
+  exchange_->beginExchange(send, receive);
+}
+
+template <class Exec, class P>
+void GhostLayer<Exec, P>::finishSwap(Exec &exec, std::size_t size)
+{
+  exchange_->finishExchange();
+  if (!direct()) exec.copyIn(received_.data(), hostReceived_.data(), size * ghosts_);
 }
 
 template <class Exec, class P>
@@ -253,7 +294,8 @@ void GhostLayer<Exec, P>::introduce(Exec &exec, std::uint32_t count, const Grain
   packed_.reserveWithSlack(sizeof(Record) * sent_);
   received_.reserveWithSlack(sizeof(Record) * ghosts_);
   exec.forEach(sent_, PackRecords<P>{grains, index_.data(), reinterpret_cast<Record *>(packed_.data())});
-  swap(exec, sizeof(Record));
+  beginSwap(exec, sizeof(Record));
+  finishSwap(exec, sizeof(Record));
 
   const auto *records = reinterpret_cast<const Record *>(received_.data());
   key_.reserveWithSlack(ghosts_);

@@ -50,7 +50,8 @@ void EngineImpl<Exec, P>::extend(Array<T> &a)
 template <class Exec, class P>
 void EngineImpl<Exec, P>::exchangeGrains()
 {
-  ghosts_ = layer_.select(exec_, count_, {positions(), cell_.data(), grid_, frame_, periods(), nullptr, 0});
+  ghosts_ = layer_.select(exec_, count_, {positions(), cell_.data(), grid_, frame_, periods(), nullptr, 0},
+                          Exec::onGpu ? 32u : grainsPerChunk);
   const bool several = levels_.levels > 1;
   for (int k = 0; k < 2; ++k) {
     extend(coarse_[k]);
@@ -74,13 +75,34 @@ void EngineImpl<Exec, P>::exchangeGrains()
 template <class Exec, class P>
 void EngineImpl<Exec, P>::followGhosts(const PositionArrays<P> &grains)
 {
+  layer_.beginRefresh(exec_, grains);
+  finishGhosts(grains);
+}
+
+/// A fused step: the grains that others see first, the others while messages travel.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::stepAndFollowGhosts(const StepView<P> &v)
+{
+  const UnitList border = layer_.border(), interior = layer_.interior();
+  part_ = &border;
+  launchContactsIn<StepMode::Fused>(v);
+  layer_.beginRefresh(exec_, v.out);
+  part_ = &interior;
+  launchContactsIn<StepMode::Fused>(v);
+  part_ = nullptr;
+  finishGhosts(v.out);
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::finishGhosts(const PositionArrays<P> &grains)
+{
   Status s;
   exec_.copyOut(&s, status_.data(), 1);
   double alarm[3] = {s.lastAllowed != noLimit ? 1.0 : 0.0, s.rebuildAfter != noLimit ? 1.0 : 0.0,
                      static_cast<double>(floatOf(s.longestStep2))};
   layer_.ranks().beginLargest(alarm, 3);
-  layer_.refresh(exec_, count_, grains);
-  layer_.ranks().endLargest();
+  layer_.finishRefresh(exec_, count_, grains);
+  layer_.ranks().finishLargest();
   stopAgreed_ = stopAgreed_ || alarm[0] > 0.0;
   rebuildAgreed_ = rebuildAgreed_ || alarm[1] > 0.0;
   longestAgreed2_ = static_cast<float>(alarm[2]);

@@ -92,7 +92,7 @@ class EngineImpl final : public Engine {
   void explainMemory(const Work &work);
   StepView<P> view(const StepInputs &in, std::int64_t coming);
   void runEvent(const StepInputs &in, const Recording &record, bool advance, bool finish);
-  void launchContacts(const StepView<P> &v, const StepInputs &in, StepMode mode);
+  void launchRegions(const StepView<P> &v, const StepInputs &in);
   template <StepMode mode>
   void launchContactsIn(const StepView<P> &v);
   template <class Law, StepMode mode>
@@ -122,6 +122,8 @@ class EngineImpl final : public Engine {
   template <class T>
   void extend(Array<T> &a);
   void followGhosts(const PositionArrays<P> &grains);
+  void stepAndFollowGhosts(const StepView<P> &v);
+  void finishGhosts(const PositionArrays<P> &grains);
   Vec3<double> periods() const;
   template <class T>
   void permute(Array<T> &a, Array<T> &scratch);
@@ -149,6 +151,7 @@ class EngineImpl final : public Engine {
   std::uint32_t ghosts_ = 0;  ///< grains of others, behind them
   GhostLayer<Exec, P> layer_;
   Home home_;
+  const UnitList *part_ = nullptr;  ///< units that the launch at hand is for, null: all
   bool stopAgreed_ = false, rebuildAgreed_ = false;  ///< alarms of any rank
   float longestAgreed2_ = 0.0f;                      ///< longest squared step of any rank (distance^2)
 

@@ -199,8 +199,16 @@ template <class Exec, class P>
 template <class Law, StepMode mode, WallUse walls>
 void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
 {
-  if constexpr (Exec::onGpu) exec_.forEachWarp(count_, WarpContacts<P, Law, mode, walls>{v});
-  else exec_.forEachChunk(chunksOf(count_, grainsPerChunk), ContactChunk<P, Law, mode, walls>{v, table_.view()});
+  if constexpr (Exec::onGpu) {
+    using Kernel = WarpContacts<P, Law, mode, walls>;
+    if constexpr (mode == StepMode::Fused)
+      if (part_) return exec_.forEachWarp(32 * part_->count, OnWarps<Kernel>{Kernel{v}, part_->unit, count_});
+    exec_.forEachWarp(count_, Kernel{v});
+  } else {
+    using Kernel = ContactChunk<P, Law, mode, walls>;
+    if (part_) return exec_.forEachChunk(part_->count, OnChunks<Kernel>{Kernel{v, table_.view()}, part_->unit});
+    exec_.forEachChunk(chunksOf(count_, grainsPerChunk), Kernel{v, table_.view()});
+  }
 }
 
 template <class Exec, class P>
@@ -245,12 +253,10 @@ void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
 }
 
 template <class Exec, class P>
-void EngineImpl<Exec, P>::launchContacts(const StepView<P> &v, const StepInputs &in, StepMode mode)
+void EngineImpl<Exec, P>::launchRegions(const StepView<P> &v, const StepInputs &in)
 {
   for (std::size_t w = 0; w < scene_.walls.size(); ++w)
     if (isRegion(w)) exec_.forEach(count_, regionStep(v, w, in));
-  if (mode == StepMode::Fused) launchContactsIn<StepMode::Fused>(v);
-  else launchContactsIn<StepMode::Event>(v);
 }
 
 template <class Exec, class P>
@@ -283,7 +289,8 @@ void EngineImpl<Exec, P>::runEvent(const StepInputs &in, const Recording &record
     if (!isRegion(w)) v.wall[wallPlace_[w]].contacts = wallContacts_[w].data();
   }
   inner_.measured();
-  launchContacts(v, in, StepMode::Event);
+  launchRegions(v, in);
+  launchContactsIn<StepMode::Event>(v);
   motNow_ = 1 - motNow_;
   Status s;
   exec_.copyOut(&s, status_.data(), 1);
@@ -381,11 +388,12 @@ void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
   v.sequence = static_cast<std::uint32_t>(++queued_);
   v.refresh = inner_.due();
   if (v.refresh) inner_.measured();
-  launchContacts(v, in, StepMode::Fused);
+  launchRegions(v, in);
+  if (layer_.joined()) stepAndFollowGhosts(v);
+  else launchContactsIn<StepMode::Fused>(v);
   inner_.drifted();
   drift_.drifted(1);
   queuedSteps_.push_back(in.step);
-  if (layer_.joined()) followGhosts(positions(posNow_ ^ from ^ 1, motNow_ ^ from ^ 1));
 }
 
 template <class Exec, class P>

@@ -179,7 +179,7 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
   if (count_) importFields(host, fields);
   // the next force may be that of this very position
   if (layer_.joined() && rowsValid_ && (fields & (fieldVelocity | fieldSpin)))
-    layer_.refresh(exec_, count_, positions());
+    followGhosts(positions());
 }
 
 template <class Exec, class P>

@@ -2,6 +2,7 @@
 # Copyright (c) 2026 The GPUDEM developers
 """Resident runs on several ranks: the answer of one, whatever the ranks, their sub-domains and what happens on the way."""
 import os
+import re
 import unittest
 from dataclasses import dataclass, field
 
@@ -216,6 +217,23 @@ class Commands(RanksTest):
         for column in ("v_mx", "v_my"):
             p = rows[:, names.index(column)]
             self.assertLessEqual(np.abs(p - p[0]).max(), ROUND_OFF.thermo * 512 * 3.0)   # grains, their fastest
+
+
+    @unittest.skipUnless(FULL, "GPUDEM_LONG")
+    def test_a_million_hand_overs(self):
+        """Slices that sweep through a dense box at every step: no grain is lost, and no spring."""
+        sweep = ("variable w atom 1.0+1000*(abs(x/lx-0.5-0.4*sin(step*1.3))<0.1)\nvariable mx equal mass(all)*vcm(all,x)\n"
+                 "variable my equal mass(all)*vcm(all,y)\n")
+        text = scenes.scene(NVE + "fix even all balance/slice 1 1.0 weight var w axes x y\nvariable sum equal f_even[4]\n"
+                            "fix total all vector 1 v_sum\nvariable total equal sum(f_total)\nthermo_modify lost error\n",
+                            before=sweep, steps=800, every=800, thermo="step atoms v_mx v_my", boundary="p p p")
+        run = self.resident(text + "print \"hand-overs ${total}\"\n", [("cloud.data", scenes.cloud(cells=(16, 16, 16)))], 6)
+        self.assertGreater(float(re.findall(r"^hand-overs ([0-9.e+]+)", run.log, re.M)[-1]), 1e6)
+        names, rows = run.thermo()[-1]
+        np.testing.assert_array_equal(rows[:, names.index("Atoms")], 4096)
+        for column in ("v_mx", "v_my"):
+            p = rows[:, names.index(column)]
+            self.assertLessEqual(np.abs(p - p[0]).max(), ROUND_OFF.thermo * 4096 * 3.0)   # grains, their fastest
 
 
 class Messages(RanksTest):

@@ -196,7 +196,8 @@ void checkThermo(LAMMPS *lmp, ResidentPlan &plan)
     if (!dynamic_cast<ResidentCompute *>(c) && strcmp(c->style, "pressure") != 0 && strcmp(c->style, "pe") != 0)
       readers.push_back(fmt::format("compute {} ({})", c->id, c->style));
   for (Fix *f : in.fixes)
-    if (!dynamic_cast<ResidentFix *>(f) && !utils::strmatch(f->style, "^ave/") && !utils::strmatch(f->style, "^pour"))
+    if (!dynamic_cast<ResidentFix *>(f) && !balances(f) && !utils::strmatch(f->style, "^ave/") &&
+        !utils::strmatch(f->style, "^pour"))
       readers.push_back(fmt::format("fix {} ({})", f->id, f->style));
   for (const std::string &v : in.variables)
     if (!isHostFree(lmp, v, FormulaScope::Thermo)) readers.push_back("variable " + v);

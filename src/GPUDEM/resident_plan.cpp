@@ -207,6 +207,20 @@ void checkThermo(LAMMPS *lmp, ResidentPlan &plan)
       fmt::format("{} at thermodynamic output: particles are copied to the host each time", fmt::join(readers, ", ")));
 }
 
+/// Styles with messages of their own between ranks, or between a rank and its periodic images.
+void checkGhosts(LAMMPS *lmp, ResidentPlan &plan)
+{
+  for (int k = 0; k < lmp->modify->nfix; ++k) {
+    const Fix *fix = lmp->modify->fix[k];
+    if (dynamic_cast<const ResidentFix *>(fix) || dynamic_cast<const FixNeighHistoryGpudem *>(fix)) continue;
+    plan.hostGhosts = plan.hostGhosts || fix->comm_forward || fix->comm_reverse;
+  }
+  for (int k = 0; k < lmp->modify->ncompute; ++k) {
+    const Compute *c = lmp->modify->compute[k];
+    plan.hostGhosts = plan.hostGhosts || c->comm_forward || c->comm_reverse;
+  }
+}
+
 void checkLists(LAMMPS *lmp, ResidentPlan &plan)
 {
   for (int k = 0; k < lmp->neighbor->old_nrequest; ++k) {
@@ -275,6 +289,7 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
       return plan;
     }
   checkThermo(lmp, plan);
+  checkGhosts(lmp, plan);
   checkLists(lmp, plan);
   for (int k = 0; plan.hostLists && lmp->comm->nprocs > 1 && k < lmp->modify->nfix; ++k) {
     const auto *slice = dynamic_cast<const FixBalanceSlice *>(lmp->modify->fix[k]);

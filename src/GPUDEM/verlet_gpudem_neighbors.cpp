@@ -130,7 +130,7 @@ void VerletGpudem::rebuildThroughHost()
   if (neighbor->style) neighbor->setup_bins();
   handOnFarGrains();
   comm->exchange();
-  if (atom->map_style != Atom::MAP_NONE || plan.hostRebuilds) comm->borders();
+  if (atom->map_style != Atom::MAP_NONE || plan.hostRebuilds || plan.hostGhosts) comm->borders();
   modify->pre_neighbor();
   if (plan.hostRebuilds) modify->post_neighbor();
   state.uploadAll(plan, FixNeighHistoryGpudem::Source::Device);

@@ -192,7 +192,7 @@ void VerletGpudem::setupResident(int flag)
   handOnFarGrains();
   comm->exchange();
   if (atom->sortfreq > 0) atom->sort();
-  if (atom->map_style != Atom::MAP_NONE || plan.hostLists) comm->borders();
+  if (atom->map_style != Atom::MAP_NONE || plan.hostLists || plan.hostGhosts) comm->borders();
   domain->image_check();
   domain->box_too_small_check();
   modify->setup_pre_neighbor();

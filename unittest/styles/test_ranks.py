@@ -124,6 +124,9 @@ GROUPS = {
                                  ranks=(4,)),
         "dynamic_group": Case(fixes=NVE + "region low block INF INF INF INF INF 3 units box\ngroup low dynamic all region low every 10\n"
                               "fix pull low gravity 30.0 vector 0.3 0 -1\n" + WALLS, ranks=(3, 5)),
+        "dynamic_group_and_slices": Case(fixes=NVE + "region low block INF INF INF INF INF 3 units box\n"
+                                         "group low dynamic all region low every 10\nfix pull low gravity 30.0 vector 0.3 0 -1\n"
+                                         + WALLS + SLICES.format(5), ranks=(3, 8)),
     },
 }
 make_tests(SameAnswerBase, GROUPS, globals())

@@ -109,6 +109,7 @@ class EngineImpl final : public Engine {
   void collectObservables(const Recording &record);
 
   void extractSprings();
+  void adaptSkin(const Box &box);
   void reframe(const Frame &frame);
   void rebuildIn(const CellGrid &fresh);
   void buildTable();
@@ -141,6 +142,8 @@ class EngineImpl final : public Engine {
   int queued_ = 0;
   InnerList inner_;  ///< GPU only
   CommonDrift drift_;
+  double skin_ = 0.0;     ///< of the rows
+  bool wornOut_ = false;  ///< the rows were given up because grains had moved, not for something else
   std::vector<std::int64_t> queuedSteps_;
   bool rowsValid_ = false, forceValid_ = false, storeFresh_ = false;
   NeighborReport report_;

@@ -28,7 +28,7 @@ VelocityRange EngineImpl<Exec, P>::velocities()
   if (count_)
     own = exec_.reduce(count_, GrainInRank<P>{positions(), cell_.data(), grid_, frame_, middle, period},
                        JoinRankExtents{}, nothing);
-  const double beyond = 1.0001 * scene_.skin + pullOffGap_ + static_cast<double>(reachSlackOf(frame_));
+  const double beyond = 1.0001 * skin_ + pullOffGap_ + static_cast<double>(reachSlackOf(frame_));
   return layer_.survey(exec_, own, count_, middle, period, beyond);
 }
 

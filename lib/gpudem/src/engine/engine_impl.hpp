@@ -113,6 +113,7 @@ class EngineImpl final : public Engine {
   void collectObservables(const Recording &record);
 
   void extractSprings();
+  void adaptSkin(const Box &box);
   void reframe(const Frame &frame);
   void rebuildIn(const CellGrid &fresh);
   void buildTable();
@@ -159,6 +160,8 @@ class EngineImpl final : public Engine {
   int queued_ = 0;
   InnerList inner_;  ///< GPU only
   CommonDrift drift_;
+  double skin_ = 0.0;     ///< of the rows
+  bool wornOut_ = false;  ///< the rows were given up because grains had moved, not for something else
   std::vector<std::int64_t> queuedSteps_;
   bool rowsValid_ = false, forceValid_ = false, storeFresh_ = false;
   NeighborReport report_;

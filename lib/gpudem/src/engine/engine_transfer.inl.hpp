@@ -127,14 +127,14 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
   rowsValid_ = false;
   queued_ = 0;
   resetStatus();
-  grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_), mostCells);
+  grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_, skin_), mostCells);
   frame_ = chooseFrame(box, grid_);
-  anchorRule_ = chooseAnchors(frame_, scene_.skin);
+  anchorRule_ = chooseAnchors(frame_, skin_);
   for (int d = 0; d < 3; ++d) {
     const bool wraps = d == 0 ? grid_.wrapX : d == 1 ? grid_.wrapY : grid_.wrapZ;
-    if (wraps && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_))
+    if (wraps && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_, skin_))
       throw Error(fmt::format("the periodic box is {:g} long in {}, shorter than twice the interaction range {:g}",
-                              box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_, pullOffGap_)));
+                              box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_, pullOffGap_, skin_)));
   }
   explainMemory([&] { reserveParticles(); });
   if (!count_) levelRadii_ = chooseLevels(nullptr, 0, scene_.largestRadius, 1, scene_.levelRatio, scene_.multigridFrom);

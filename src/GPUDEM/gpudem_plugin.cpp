@@ -3,9 +3,11 @@
 /// \file One table of styles, two doors: `plugin load`, and interposition of LAMMPS::post_create() for a LAMMPS
 /// without the PLUGIN package (the launcher lmp_gpudem, or this library as LD_PRELOAD).
 
+#include "balance_slice.h"
 #include "compute_erotate_sphere_gpudem.h"
 #include "compute_ke_gpudem.h"
 #include "compute_temp_gpudem.h"
+#include "fix_balance_slice.h"
 #include "fix_enforce2d_gpudem.h"
 #include "fix_freeze_gpudem.h"
 #include "fix_gravity_gpudem.h"
@@ -61,9 +63,10 @@ Integrate *makeVerlet(LAMMPS *lmp, int narg, char **arg)
 {
   return new VerletGpudem(lmp, narg, arg);
 }
+template <class T>
 Command *makeCommand(LAMMPS *lmp)
 {
-  return new GpudemCommand(lmp);
+  return new T(lmp);
 }
 
 void registerStyles(LAMMPS *lmp)
@@ -86,6 +89,7 @@ void registerStyles(LAMMPS *lmp)
   fixes["wall/gran/region/gpudem"] = &makeFix<FixWallGranRegionGpudem>;
   fixes["wall/gran/sdf"] = &makeFix<FixWallGranSdf>;
   fixes["move/gpudem"] = &makeFix<FixMoveGpudem>;
+  fixes["balance/slice"] = &makeFix<FixBalanceSlice>;
 
   auto &computes = *lmp->modify->compute_map;
   computes["ke/gpudem"] = &makeCompute<ComputeKEGpudem>;
@@ -93,7 +97,9 @@ void registerStyles(LAMMPS *lmp)
   computes["temp/gpudem"] = &makeCompute<ComputeTempGpudem>;
 
   (*lmp->update->integrate_map)["verlet/gpudem"] = &makeVerlet;
-  (*lmp->input->command_map)["gpudem"] = &makeCommand;
+  auto &commands = *lmp->input->command_map;
+  commands["gpudem"] = &makeCommand<GpudemCommand>;
+  commands["balance/slice"] = &makeCommand<BalanceSlice>;
 }
 
 bool suffixIsGpudem(LAMMPS *lmp)

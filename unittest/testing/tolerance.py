@@ -104,3 +104,6 @@ ROLLING_MIXED = 1e-4
 SERVO = 1e-4
 # A drum of facets against a round one (position, diameters): the sagitta, of second order in the facet's length.
 DRUM_FACETS = 0.02
+# Slices are refined to an imbalance of 1.01 at most, or to single grains; grains then move on until the next balancing.
+SLICE_IMBALANCE = 1.01
+PARTICLE_SHARE = 1.5        # grains: a position on a cut may round to the other side

@@ -5,6 +5,7 @@
 
 #include "gpudem/body_motion.h"
 #include "gpudem/errors.h"
+#include "gpudem/rank_exchange.h"
 #include "gpudem/scene.h"
 #include "gpudem/surface_faces.h"
 
@@ -98,8 +99,14 @@ struct KineticSums {
   std::int64_t count = 0;
 };
 
+/// Where a rank's grains are, roughly. They may lie anywhere: it is only the place from which they are seen.
+struct Home {
+  Array3 middle{};           ///< of its sub-domain (distance)
+  bool commonMotion = true;  ///< grains that move together may leave it far behind before the next rebuild
+};
+
 struct Extent {
-  Array3 lo{}, hi{};
+  Array3 lo{}, hi{};         ///< with several ranks in periodic directions from the middle of the home (distance)
   std::int64_t outside = 0;  ///< grains outside a non-periodic box face
 };
 
@@ -120,9 +127,17 @@ struct NeighborReport {
   int longestRow = 0;
   std::int64_t cells = 0;
   std::vector<double> levelRadii;  ///< largest radius of each level of grains (distance); one level if empty
+  std::int64_t ghosts = 0;         ///< grains of other ranks that this one sees
+  std::int64_t sent = 0;           ///< grains sent in a step, once for each rank that sees them
+  int partners = 0;                ///< ranks to which and from which messages go in a step
 };
 
-/// The resident state and its advance. One instance per simulation; not thread-safe.
+/// The resident state and its advance. One instance per simulation and rank; not thread-safe.
+///
+/// With several ranks each engine holds the grains of its rank and ghosts of others within reach. setScene(), upload(),
+/// uploadFields(), rebuild() and all that advances steps are then collective: same calls, same order, same scene (the
+/// largest radius is that of all ranks). Steps stop, and rebuilds are asked for, on all ranks at once. What is summed
+/// or copied out is that of the rank's own grains.
 ///
 /// Phases. *At step*: x_n, v_n and f_n are known. *Mid step*: x_(n+1), v_(n+1/2) are known, the force is not.
 /// Every call throws gpudem::Error on failure and leaves no half-written host array.
@@ -134,6 +149,11 @@ class Engine {
   virtual Precision precision() const = 0;
   virtual MemoryReport memory() const = 0;
   virtual NeighborReport neighbors() const = 0;
+
+  /// Share the box with other ranks, from the next upload() on. \p exchange outlives the engine; null: one rank.
+  virtual void joinRanks(RankExchange *exchange) = 0;
+  /// Before the first rebuild() and whenever sub-domains have changed.
+  virtual void setHome(const Home &home) = 0;
 
   /// Constants of the run. Must be followed by upload() when walls, box or integrators changed.
   virtual void setScene(const SceneSpec &scene) = 0;

@@ -6,6 +6,7 @@
 #include "base/buffer.hpp"
 #include "contact/derive.hpp"
 #include "contact/scene_laws.hpp"
+#include "decomp/ghost_layer.hpp"
 #include "engine/transfer.hpp"
 #include "gpudem/engine.h"
 #include "neighbor/cross_levels.hpp"
@@ -45,6 +46,8 @@ class EngineImpl final : public Engine {
   MemoryReport memory() const override;
   NeighborReport neighbors() const override { return report_; }
 
+  void joinRanks(RankExchange *exchange) override { layer_.join(exchange); }
+  void setHome(const Home &home) override { home_ = home; }
   void setScene(const SceneSpec &scene) override;
   void upload(const HostParticles &host, const Box &box, const ContactHistory *history) override;
   void uploadFields(const HostParticles &host, unsigned fields) override;
@@ -104,12 +107,13 @@ class EngineImpl final : public Engine {
   void setRoles();
   void resetStatus();
   void reserveParticles();
+  void importFields(const HostParticles &host, unsigned fields);
   std::size_t bytesPerGrain() const;
   template <class Work>
   void explainMemory(const Work &work);
   StepView<P> view(const StepInputs &in, std::int64_t coming);
   void runEvent(const StepInputs &in, const Recording &record, bool advance, bool finish);
-  void launchContacts(const StepView<P> &v, const StepInputs &in, StepMode mode);
+  void launchRegions(const StepView<P> &v, const StepInputs &in);
   template <StepMode mode>
   void launchContactsIn(const StepView<P> &v);
   template <class Law, StepMode mode>
@@ -144,10 +148,19 @@ class EngineImpl final : public Engine {
   void collectObservables(const Recording &record);
 
   void extractSprings();
+  void adaptSkin(const Box &box);
   void reframe(const Frame &frame);
   void rebuildIn(const CellGrid &fresh);
   void buildTable();
   void setAnchors();
+  VelocityRange velocities();
+  void exchangeGrains();
+  template <class T>
+  void extend(Array<T> &a);
+  void followGhosts(const PositionArrays<P> &grains);
+  void stepAndFollowGhosts(const StepView<P> &v);
+  void finishGhosts(const PositionArrays<P> &grains);
+  Vec3<double> periods() const;
   template <class T>
   void permute(Array<T> &a, Array<T> &scratch);
   template <class T>
@@ -170,12 +183,20 @@ class EngineImpl final : public Engine {
   LevelGrid levels_{};              ///< cells to search in; grid_ where there is one level
   Frame frame_{};
   AnchorRule anchorRule_{};
-  std::uint32_t count_ = 0;
+  std::uint32_t count_ = 0;   ///< grains of this rank
+  std::uint32_t ghosts_ = 0;  ///< grains of others, behind them
+  GhostLayer<Exec, P> layer_;
+  Home home_;
+  const UnitList *part_ = nullptr;  ///< units that the launch at hand is for, null: all
+  bool stopAgreed_ = false, rebuildAgreed_ = false;  ///< alarms of any rank
+  float longestAgreed2_ = 0.0f;                      ///< longest squared step of any rank (distance^2)
 
   int posNow_ = 0, motNow_ = 0;  ///< which of the two buffers holds the current state
   int queued_ = 0;
   InnerList inner_;  ///< GPU only
   CommonDrift drift_;
+  double skin_ = 0.0;     ///< of the rows
+  bool wornOut_ = false;  ///< the rows were given up because grains had moved, not for something else
   std::vector<std::int64_t> queuedSteps_;
   bool rowsValid_ = false, forceValid_ = false, storeFresh_ = false;
   NeighborReport report_;
@@ -191,7 +212,7 @@ class EngineImpl final : public Engine {
   Array<Vec3<Real>> force_{"forces"}, torque_{"torques"}, vecScratch_{"scratch (3)"};
   Array<Vec3<double>> origin_{"original positions"}, originScratch_{"original positions (2)"};
   Array<std::uint32_t> searchCell_{"cells of the levels"};
-  CellTable<Exec> cells_;
+  CellTable<Exec> cells_, ghostCells_;
   CrossLevels<Exec, P> cross_;
   Array<std::uint32_t> storeOffset_{"stored contacts"};
   Array<std::int32_t> storePartner_{"partners of stored contacts"};
@@ -215,6 +236,7 @@ class EngineImpl final : public Engine {
 
 }  // namespace gpudem
 
+#include "engine/engine_ghosts.inl.hpp"
 #include "engine/engine_neighbors.inl.hpp"
 #include "engine/engine_regions.inl.hpp"
 #include "engine/engine_steps.inl.hpp"

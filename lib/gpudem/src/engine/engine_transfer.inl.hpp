@@ -29,6 +29,8 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   for (const SurfaceWall &s : surfaces_) add(s.copy);
   add(models_);
   add(cells_);
+  add(ghostCells_);
+  add(layer_);
   add(cross_);
   add(blockScratch_);
   for (const auto &a : termBefore_) add(a);
@@ -121,20 +123,22 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
 {
   if (host.count >= noParticle) throw Error(fmt::format("{} grains exceed the 32-bit index", host.count));
   count_ = static_cast<std::uint32_t>(host.count);
+  ghosts_ = 0;
   box_ = box;
   rowsValid_ = false;
   queued_ = 0;
   resetStatus();
-  grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_), mostCells);
+  grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_, skin_), mostCells);
   frame_ = chooseFrame(box, grid_);
-  anchorRule_ = chooseAnchors(frame_, scene_.skin);
+  anchorRule_ = chooseAnchors(frame_, skin_);
   for (int d = 0; d < 3; ++d) {
     const bool wraps = d == 0 ? grid_.wrapX : d == 1 ? grid_.wrapY : grid_.wrapZ;
-    if (wraps && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_))
+    if (wraps && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_, skin_))
       throw Error(fmt::format("the periodic box is {:g} long in {}, shorter than twice the interaction range {:g}",
-                              box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_, pullOffGap_)));
+                              box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_, pullOffGap_, skin_)));
   }
   explainMemory([&] { reserveParticles(); });
+  if (!count_) levelRadii_ = chooseLevels(nullptr, 0, scene_.largestRadius, 1, scene_.levelRatio, scene_.multigridFrom);
   if (count_) {
     for (std::uint32_t i = 0; i < count_; ++i)
       if (!(host.radius[i] > 0.0) || !(host.mass[i] > 0.0))
@@ -172,7 +176,16 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
   if (host.count != count_)
     throw Error(
         fmt::format("{} grains on the host, {} resident: the whole state must be uploaded", host.count, count_));
-  if (!count_) return;
+  if (fields & (fieldShape | fieldPosition | fieldMask)) rowsValid_ = false;
+  if (count_) importFields(host, fields);
+  // the next force may be that of this very position
+  if (layer_.joined() && rowsValid_ && (fields & (fieldVelocity | fieldSpin)))
+    followGhosts(positions());
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::importFields(const HostParticles &host, unsigned fields)
+{
   const std::uint32_t *index = hostIndex_.data();
   Motion<Real> *motion = motion_[motNow_].data();
   const auto vectors = [&](const double *p) { return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_); };
@@ -181,13 +194,10 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
                                scene_.multigridFrom);
     exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), index, positions()});
     exec_.forEach(count_, ImportMass<Real>{stageIn(host.mass, count_), index, motion});
-    rowsValid_ = false;
   }
-  if ((fields & fieldPosition) && host.position) {
+  if ((fields & fieldPosition) && host.position)
     exec_.forEach(count_,
                   ImportPositions<P>{vectors(host.position), nullptr, index, grid_, frame_, positions(), cell_.data()});
-    rowsValid_ = false;
-  }
   if ((fields & fieldVelocity) && host.velocity)
     exec_.forEach(count_, ImportMotion<Real>{vectors(host.velocity), index, VectorField::Velocity, motion});
   if ((fields & fieldSpin) && host.spin)
@@ -200,7 +210,6 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
     exec_.forEach(count_, ImportValues<int, std::uint32_t>{stageIn(host.mask, count_), index, mask_.data()});
     setRoles();
     exec_.forEach(count_, ImportValues<int, int>{stageIn(host.type, count_), index, type_.data()});
-    rowsValid_ = false;
   }
   if ((fields & fieldImage) && host.image)
     exec_.forEach(count_, ImportValues<int, int>{stageIn(host.image, count_), index, image_.data()});

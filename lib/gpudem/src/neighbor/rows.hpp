@@ -57,13 +57,15 @@ struct CrossView {
 template <class P>
 struct BuildView {
   using Real = typename P::Real;
-  std::uint32_t count;
+  std::uint32_t count;   ///< grains that get rows
+  std::uint32_t ghosts;  ///< grains of other ranks, behind them
   PositionArrays<P> position;
   const std::uint32_t *mask;  ///< [n] group bits
   const int *type;
   const std::int32_t *tag;
-  const std::uint32_t *cell;  ///< [n] sorted, numbered through the levels
+  const std::uint32_t *cell;  ///< [count], [ghosts] both sorted, numbered through the levels
   CellDirectory directory;
+  CellDirectory ghostDirectory;  ///< counts from the first ghost; not read if there is none
   LevelGrid levels;
   CrossView cross;
   Frame frame;
@@ -71,6 +73,18 @@ struct BuildView {
   float reachSlack;
   ExclusionView exclude;
 };
+
+/// Call range(from, to) for the grains of \p cell, then for the ghosts in it.
+template <class P, class Range>
+GPUDEM_HD void forEachRange(const BuildView<P> &v, std::uint32_t cell, Range &&range)
+{
+  std::uint32_t from, to;
+  v.directory.grains(cell, from, to);
+  range(from, to);
+  if (v.ghosts == 0) return;
+  v.ghostDirectory.grains(cell, from, to);
+  range(v.count + from, v.count + to);
+}
 
 /// Call visit(j, touches) for every grain j != i of any level that lies within the coarse reach; \p touches is wrong to
 /// the safe side only.
@@ -81,9 +95,7 @@ GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&v
   const std::uint32_t mask = v.mask[i];
   const Vec3<float> unit = v.frame.unit32.template as<float>();
   const bool anyExclusion = v.exclude.any();
-  forEachOwnCell(v.levels, v.cell[i], [&](std::uint32_t cell) {
-    std::uint32_t j, end;
-    v.directory.grains(cell, j, end);
+  const auto range = [&](std::uint32_t j, std::uint32_t end) {
     for (; j < end; ++j) {
       const CoarsePosition q = v.position.coarse[j];
       const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - q.x)) * unit.x;
@@ -95,7 +107,8 @@ GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&v
       if (anyExclusion && v.exclude.excluded(mask, v.mask[j], v.type[i], v.type[j])) continue;
       visit(j, distance2 < contact * contact);
     }
-  });
+  };
+  forEachOwnCell(v.levels, v.cell[i], [&](std::uint32_t cell) { forEachRange(v, cell, range); });
   if (!v.cross.offset) return;
   const auto listed = [&](const std::uint32_t *list, std::uint32_t from, std::uint32_t to) {
     for (; from < to; ++from) {
@@ -128,15 +141,23 @@ struct SliceWidths {
   static constexpr int minimumBlocks = 1;
   std::uint32_t count;
   const std::uint32_t *length;
-  std::uint32_t *entries, *words;  ///< [slices]
+  std::uint32_t *entries, *words;  ///< [slices]; words beyond the first of each row
   GPUDEM_HD void operator()(std::uint32_t slice) const
   {
     std::uint32_t widest = 0;
     for (std::uint32_t i = slice * W; i < (slice + 1) * W && i < count; ++i)
       widest = length[i] > widest ? length[i] : widest;
     entries[slice] = widest * W;
-    words[slice] = (widest + 31) / 32 * W;
+    words[slice] = widest > 32 ? (widest - 1) / 32 * W : 0u;
   }
+};
+
+struct AddToAll {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  std::uint32_t value;
+  std::uint32_t *out;
+  GPUDEM_HD void operator()(std::uint32_t i) const { out[i] += value; }
 };
 
 /// Write the rows, touching neighbours first, and put each carried spring into its entry.
@@ -147,31 +168,27 @@ struct FillRows {
   static constexpr int blockSize = 128;
   static constexpr int minimumBlocks = 4;
   BuildView<P> v;
-  const std::uint32_t *start, *maskStart, *length;
+  RowView<Real> rows;
   std::uint32_t *neighbor;
-  std::uint32_t *touch;
-  Real *spring;
   ContactStore<Real> store;
   const std::uint32_t *oldIndex;  ///< [n] row of each grain in the store
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     const std::uint32_t slice = i / W, lane = i % W;
-    const std::uint32_t base = start[slice] + lane;
-    std::uint32_t *word = history ? touch + maskStart[slice] + lane : nullptr;
+    const std::uint32_t base = rows.start[slice] + lane;
     std::uint32_t from = 0, to = 0;
     if (history) {
-      const std::uint32_t words = (maskStart[slice + 1] - maskStart[slice]) / W;
-      for (std::uint32_t w = 0; w < words; ++w) word[w * W] = 0;
+      for (std::uint32_t w = 0; w < rows.words(slice, W); ++w) rows.touch[rows.wordOf(i, w, W)] = 0;
       from = store.offset[oldIndex[i]];
       to = store.offset[oldIndex[i] + 1];
     }
-    std::uint32_t front = 0, back = length[i];
+    std::uint32_t front = 0, back = rows.count[i];
     forEachNeighbor(v, i, [&](std::uint32_t j, bool touches) {
       if (touches) {
         const std::uint32_t k = front++;
         neighbor[base + k * W] = j;
-        if (history) carry(k, base, word, v.tag[j], from, to);
+        if (history) carry(i, k, base, v.tag[j], from, to);
       } else {
         neighbor[base + (--back) * W] = j;
       }
@@ -179,15 +196,15 @@ struct FillRows {
   }
 
  private:
-  GPUDEM_HD void carry(std::uint32_t k, std::uint32_t base, std::uint32_t *word, std::int32_t tag, std::uint32_t from,
+  GPUDEM_HD void carry(std::uint32_t i, std::uint32_t k, std::uint32_t base, std::int32_t tag, std::uint32_t from,
                        std::uint32_t to) const
   {
     for (std::uint32_t m = from; m < to; ++m) {
       if (store.partner[m] != tag) continue;
       const int size = keptSize<keeping>(store.size);
-      Real *slot = spring + size * static_cast<std::size_t>(base + k * W);
+      Real *slot = rows.spring + size * static_cast<std::size_t>(base + k * W);
       for (int d = 0; d < size; ++d) slot[d] = store.spring[size * static_cast<std::size_t>(m) + d];
-      word[(k / 32) * W] |= 1u << (k % 32);
+      rows.touch[rows.wordOf(i, k / 32, W)] |= 1u << (k % 32);
       return;
     }
   }
@@ -202,10 +219,9 @@ struct CountSprings {
   std::uint32_t *out;  ///< [n]
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
-    const std::uint32_t *word = rows.touch + rows.maskStart[i / W] + i % W;
-    const std::uint32_t words = (rows.count[i] + 31) / 32;
     std::uint32_t n = 0;
-    for (std::uint32_t w = 0; w < words; ++w) n += static_cast<std::uint32_t>(bitCount(word[w * W]));
+    for (std::uint32_t w = 0; w < rows.words(i / W, W); ++w)
+      n += static_cast<std::uint32_t>(bitCount(rows.touch[rows.wordOf(i, w, W)]));
     out[i] = n;
   }
 };
@@ -224,12 +240,10 @@ struct ExtractSprings {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     const std::uint32_t slice = i / W, lane = i % W;
-    const std::uint32_t *word = rows.touch + rows.maskStart[slice] + lane;
-    const std::uint32_t words = (rows.count[i] + 31) / 32;
     const int size = keptSize<keeping>(storedSize);
     std::uint32_t to = offset[i];
-    for (std::uint32_t w = 0; w < words; ++w)
-      for (std::uint32_t bits = word[w * W]; bits; bits &= bits - 1) {
+    for (std::uint32_t w = 0; w < rows.words(slice, W); ++w)
+      for (std::uint32_t bits = rows.touch[rows.wordOf(i, w, W)]; bits; bits &= bits - 1) {
         const std::uint32_t k = w * 32 + static_cast<std::uint32_t>(lowestBit(bits));
         const std::size_t entry = rows.start[slice] + lane + static_cast<std::size_t>(k) * W;
         partner[to] = tag[rows.neighbor[entry]];

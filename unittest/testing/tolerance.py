@@ -107,3 +107,6 @@ DRUM_FACETS = 0.02
 # Slices are refined to an imbalance of 1.01 at most, or to single grains; grains then move on until the next balancing.
 SLICE_IMBALANCE = 1.01
 PARTICLE_SHARE = 1.5        # grains: a position on a cut may round to the other side
+
+# Random scripts: 200 steps of dense, partly very fast grains; round-off grows by about ten per collision.
+FUZZ = _uniform(1e-7, "double: round-off amplified by several collisions")

@@ -8,6 +8,7 @@
 #include "compute_ke_gpudem.h"
 #include "compute_temp_gpudem.h"
 #include "fix_balance_slice.h"
+#include "fix_check_timestep_gran.h"
 #include "fix_enforce2d_gpudem.h"
 #include "fix_freeze_gpudem.h"
 #include "fix_gravity_gpudem.h"
@@ -90,6 +91,7 @@ void registerStyles(LAMMPS *lmp)
   fixes["wall/gran/sdf"] = &makeFix<FixWallGranSdf>;
   fixes["move/gpudem"] = &makeFix<FixMoveGpudem>;
   fixes["balance/slice"] = &makeFix<FixBalanceSlice>;
+  fixes["check/timestep/gran"] = &makeFix<FixCheckTimestepGran>;
 
   auto &computes = *lmp->modify->compute_map;
   computes["ke/gpudem"] = &makeCompute<ComputeKEGpudem>;

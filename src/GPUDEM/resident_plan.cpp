@@ -197,11 +197,13 @@ void checkThermo(LAMMPS *lmp, ResidentPlan &plan)
       readers.push_back(fmt::format("compute {} ({})", c->id, c->style));
   for (Fix *f : in.fixes)
     if (!dynamic_cast<ResidentFix *>(f) && !balances(f) && !utils::strmatch(f->style, "^ave/") &&
-        !utils::strmatch(f->style, "^pour"))
+        !utils::strmatch(f->style, "^pour") && !utils::strmatch(f->style, "^check/timestep"))
       readers.push_back(fmt::format("fix {} ({})", f->id, f->style));
   for (const std::string &v : in.variables)
     if (!isHostFree(lmp, v, FormulaScope::Thermo)) readers.push_back("variable " + v);
   if (readers.empty()) return;
+  std::sort(readers.begin(), readers.end());
+  readers.erase(std::unique(readers.begin(), readers.end()), readers.end());
   plan.thermoOnDevice = false;
   plan.onHost.push_back(
       fmt::format("{} at thermodynamic output: particles are copied to the host each time", fmt::join(readers, ", ")));

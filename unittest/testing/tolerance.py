@@ -93,3 +93,35 @@ class ChungOoi:
 
 
 CHUNG_OOI = ChungOoi()
+
+
+@dataclass(frozen=True)
+class Bound:
+    """Relative error that a case with a known answer may have, and why."""
+    relative: float
+    reason: str
+
+
+SAME = Bound(1e-6, "nothing acts: single precision in mixed, no error in double")
+FREE_FLIGHT = Bound(2e-5, "single precision velocities, rounded without bias, over 10^5 steps")
+FIRST_ORDER = Bound(1e-3, "the scheme is of first order in a dashpot and in where a contact begins and ends: 1/2000 of a collision")
+LINEAR_RESPONSE = Bound(1e-3, "first order of the dashpot's velocity, half a step behind: 1/2000 of a period")
+SLIDING = Bound(5e-4, "the impulse of the contact to a part of its 4000 steps")
+SPRING = Bound(2e-3, "a contact of 4000 steps against the same law at 1/20 000; sliding begins and ends at whole steps")
+SLIP_TO_ROLL = Bound(2e-3, "hard-sphere motion: the tangential spring stretches by mu m g/kt before the sphere slides or rolls")
+DECAY = Bound(1e-3, "the rolling spring stretches first; measured after that")
+DRAG = Bound(1e-4, "drag of the velocity half a step ago, 1/10 000 of the time constant")
+PULL = Bound(1e-3, "single precision overlap near the largest pull; separation in steps of 1/400 of the gap")
+HARD_SPHERE = Bound(2e-2, "hard-sphere limit: gravity acts during the contact, g tc/v")
+ENERGY_GAIN = Bound(1e-4, "energy must not grow: the error of 4000 steps a collision")
+STOCK_KNOWN = Bound(2e-3, "what stock LAMMPS returns instead, known to three digits")
+
+
+def closed_system(code, steps, grains):
+    """Bound of the momentum of a closed system relative to the sum of all magnitudes.
+
+    Double: sums of round-off. Mixed: each velocity is rounded without bias to 6e-8 of itself at every step, so the errors add
+    as a random walk over steps and grains: 6e-8 sqrt(steps/grains), three times that for safety and for fast grains."""
+    if code == "mixed":
+        return Bound(2e-7 * (steps / grains) ** 0.5, "random walk of single precision rounding: 2e-7 sqrt(steps/grains)")
+    return Bound(1e-13, "sums of round-off in double precision")

@@ -19,7 +19,7 @@ from lammps import StylesTest  # noqa: E402
 
 CODES = (None, "double", "mixed")   # None: stock LAMMPS
 GPA = 1.0e9
-COLUMNS = "id x y z vx vy vz omegax omegay omegaz fx fy fz"
+COLUMNS = "id xu yu zu vx vy vz omegax omegay omegaz fx fy fz"
 X, V, W, F = slice(0, 3), slice(3, 6), slice(6, 9), slice(9, 12)   # of a row without its id
 
 

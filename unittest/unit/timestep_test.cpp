@@ -80,19 +80,19 @@ TEST(Timestep, RestitutionComesOut)
   for (const double e : {0.2, 0.5, 0.9}) EXPECT_NEAR(resolveImpact(hertzImpact(e)).rebound, e, 2e-3) << e;
 }
 
-/// Velocity Verlet is of third order for an elastic spring whose contact begins anywhere in a step, of first order
-/// with a dashpot that sees the velocity of the half step.
+/// Velocity Verlet is of second order for an elastic spring, of first order with a dashpot, which sees the velocity of the
+/// half step.
 TEST(Timestep, ProposalsKeepTheErrorAndItsOrder)
 {
   for (const double gamma : {0.0, 100.0}) {
     const HeadOnImpact impact = springImpact(gamma);
     const ImpactResult exact = resolveImpact(impact);
-    const double coarse = timestepForError(impact, 1e-3), fine = timestepForError(impact, 1e-4);
-    EXPECT_NEAR(std::log(coarse / fine) / std::log(10.0), gamma == 0.0 ? 1.0 / 3.0 : 1.0, 0.15) << gamma;
+    const double coarse = timestepForError(impact, 1e-2), fine = timestepForError(impact, 1e-3);
+    EXPECT_NEAR(std::log(coarse / fine) / std::log(10.0), gamma == 0.0 ? 0.5 : 1.0, 0.15) << gamma;
     double sum = 0.0;
     for (int p = 0; p < 50; ++p) sum += std::pow(integrateImpact(impact, fine, (p + 0.5) / 50).rebound - exact.rebound, 2);
-    EXPECT_LT(std::sqrt(sum / 50), 1.2e-4) << gamma;
-    EXPECT_GT(std::sqrt(sum / 50), 1e-5) << gamma;
+    EXPECT_LT(std::sqrt(sum / 50), 1.2e-3) << gamma;
+    EXPECT_GT(std::sqrt(sum / 50), 1e-4) << gamma;
   }
 }
 

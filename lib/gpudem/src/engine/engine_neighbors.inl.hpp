@@ -52,6 +52,14 @@ void EngineImpl<Exec, P>::extractSprings()
   storeSpring_.reserveWithSlack(static_cast<std::size_t>(layout_.size) * total);
   table_.extractSprings(exec_, count_, tag_.data(), storeOffset_.data(), layout_.mirror, storePartner_.data(),
                         storeSpring_.data());
+  sortStore();
+}
+
+/// What the search for a partner in a long row relies on.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::sortStore()
+{
+  storeSorter_.sort(exec_, count_, layout_.size, storeOffset_.data(), storePartner_.data(), storeSpring_.data());
 }
 
 template <class Exec, class P>

@@ -46,27 +46,45 @@ void FixNeighHistoryGpudem::write_restart(FILE *fp)
   FixNeighHistory::write_restart(fp);
 }
 
+/// Where grain \p i holds its contact with \p wanted, -1 if it holds none. A body that touches thousands is asked by all
+/// of them: its list is sorted once.
+int FixNeighHistoryGpudem::entryOf(int i, tagint wanted, LongLists &lists) const
+{
+  constexpr int longestUnsorted = 64;
+  const tagint *const begin = partner[i], *const end = begin + npartner[i];
+  if (npartner[i] <= longestUnsorted) {
+    const tagint *found = std::find(begin, end, wanted);
+    return found == end ? -1 : static_cast<int>(found - begin);
+  }
+  auto &list = lists[i];
+  if (list.empty()) {
+    for (const tagint *p = begin; p != end; ++p) list.emplace_back(*p, static_cast<int>(p - begin));
+    std::sort(list.begin(), list.end());
+  }
+  const auto found = std::lower_bound(list.begin(), list.end(), std::make_pair(wanted, 0));
+  return found != list.end() && found->first == wanted ? found->second : -1;
+}
+
 /// What the partner holds of a contact, or null if it does not hold it or holds another spring.
 /// delete_atoms renumbers atoms but not the partners stored here, so that an entry may name the wrong grain.
-const double *FixNeighHistoryGpudem::partnersCopy(int owner, int entry, const std::vector<int> &localOf) const
+const double *FixNeighHistoryGpudem::partnersCopy(int owner, int entry, const std::vector<int> &localOf,
+                                                  LongLists &lists) const
 {
   const tagint wanted = partner[owner][entry];
   if (wanted < 0 || wanted >= static_cast<tagint>(localOf.size()) || localOf[wanted] < 0) return nullptr;
   const int other = localOf[wanted];
   const double *mine = valuepartner[owner] + dnum * entry;
-  for (int k = 0; k < npartner[other]; ++k) {
-    if (partner[other][k] != atom->tag[owner]) continue;
-    const double *theirs = valuepartner[other] + dnum * k;
-    double sum = 0.0, size = 0.0;
-    for (std::size_t d = 0; d < place.size(); ++d) {
-      if (mirror[d] > 0) continue;  // stock LAMMPS keeps rolling and twisting numbers with the wrong sign
-      sum += std::fabs(mine[place[d]] + theirs[place[d]]);
-      size += std::fabs(mine[place[d]]) + std::fabs(theirs[place[d]]);
-    }
-    constexpr double roundOff = 1.0e-3;  // of single precision sums; the spring of another contact differs by its size
-    return sum <= roundOff * size ? theirs : nullptr;
+  const int k = entryOf(other, atom->tag[owner], lists);
+  if (k < 0) return nullptr;
+  const double *theirs = valuepartner[other] + dnum * k;
+  double sum = 0.0, size = 0.0;
+  for (std::size_t d = 0; d < place.size(); ++d) {
+    if (mirror[d] > 0) continue;  // stock LAMMPS keeps rolling and twisting numbers with the wrong sign
+    sum += std::fabs(mine[place[d]] + theirs[place[d]]);
+    size += std::fabs(mine[place[d]]) + std::fabs(theirs[place[d]]);
   }
-  return nullptr;
+  constexpr double roundOff = 1.0e-3;  // of single precision sums; the spring of another contact differs by its size
+  return sum <= roundOff * size ? theirs : nullptr;
 }
 
 void FixNeighHistoryGpudem::exportTo(gpudem::ContactHistory &history) const
@@ -80,9 +98,10 @@ void FixNeighHistoryGpudem::exportTo(gpudem::ContactHistory &history) const
   history.offset.assign(nlocal + 1, 0);
   history.partner.clear();
   history.spring.clear();
+  LongLists lists;
   for (int i = 0; i < nlocal; ++i) {
     for (int m = 0; m < npartner[i]; ++m) {
-      const double *mine = valuepartner[i] + dnum * m, *theirs = partnersCopy(i, m, localOf);
+      const double *mine = valuepartner[i] + dnum * m, *theirs = partnersCopy(i, m, localOf, lists);
       if (!theirs) continue;
       history.partner.push_back(partner[i][m]);
       // numbers that both see alike: stock LAMMPS gives the two copies opposite signs, so one grain must decide

@@ -6,6 +6,8 @@
 #include "fix_neigh_history.h"
 #include "gpudem/engine.h"
 
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -38,7 +40,9 @@ class FixNeighHistoryGpudem : public FixNeighHistory {
   void setSynchroniser(class VerletGpudem *owner) { synchroniser = owner; }
 
  private:
-  const double *partnersCopy(int owner, int entry, const std::vector<int> &localOf) const;
+  using LongLists = std::unordered_map<int, std::vector<std::pair<tagint, int>>>;  ///< partners and where they stand
+  int entryOf(int i, tagint wanted, LongLists &lists) const;
+  const double *partnersCopy(int owner, int entry, const std::vector<int> &localOf, LongLists &lists) const;
 
   std::vector<int> place{0, 1, 2};
   std::vector<signed char> mirror{-1, -1, -1};

@@ -93,3 +93,6 @@ class ChungOoi:
 
 
 CHUNG_OOI = ChungOoi()
+
+# relative, double: 500 steps of dense powder after a restart file, as far as the log prints digits
+CONTINUED_STROKE = 1e-6

@@ -124,7 +124,8 @@ SizeRange EngineImpl<Exec, P>::adoptSizes(const HostParticles &host)
   scene_.largestRadius = sizes.largest;
   pullOffGap_ = largestPullOffGap(scene_);
   requireRoom(box_);
-  levelRadii_ = chooseLevels(host.radius, host.count, sizes.largest, scene_.levels, scene_.levelRatio, scene_.multigridFrom);
+  const double ratio = scene_.levelRatio > 0.0 ? scene_.levelRatio : Exec::onGpu ? levelRatioOnGpu : levelRatioOnCpu;
+  levelRadii_ = chooseLevels(host.radius, host.count, sizes.largest, scene_.levels, ratio);
   return sizes;
 }
 

@@ -64,6 +64,13 @@ struct BuildView {
   ExclusionView exclude;
 };
 
+/// Distance within which a grain of level \p own may have a neighbour of level \p coarser (distance).
+template <class P>
+GPUDEM_HD float coarserReach(const BuildView<P> &v, int own, int coarser)
+{
+  return (v.levels.largest[own] + v.levels.largest[coarser]) * 1.00001f + v.reachSlack + v.skin;
+}
+
 /// Call visit(j, touches) for every grain j != i of any level that lies within the coarse reach; \p touches is wrong to
 /// the safe side only.
 template <class P, class Visit>

@@ -118,7 +118,7 @@ TEST_P(Adhesion, NecksLiveToThePullOffGapThroughRebuilds)
     }
     EXPECT_GT(beyond, 2000);
     EXPECT_GT(broken, 1000);
-    EXPECT_GT(engine->neighbors().rebuilds, 8);
+    EXPECT_GT(engine->neighbors().rebuilds, 5);  // a GPU widens a skin that is used up so fast
   }
 }
 

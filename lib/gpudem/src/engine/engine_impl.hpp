@@ -114,6 +114,7 @@ class EngineImpl final : public Engine {
   SizeRange adoptSizes(const HostParticles &host);
   void importShape(const HostParticles &host);
   void requireRoom(const Box &box) const;
+  void adaptSkin(const Box &box);
   void reframe(const Frame &frame);
   void rebuildIn(const CellGrid &fresh);
   void buildTable();
@@ -146,6 +147,8 @@ class EngineImpl final : public Engine {
   int queued_ = 0;
   InnerList inner_;  ///< GPU only
   CommonDrift drift_;
+  double skin_ = 0.0;     ///< of the rows
+  bool wornOut_ = false;  ///< the rows were given up because grains had moved, not for something else
   std::vector<std::int64_t> queuedSteps_;
   bool rowsValid_ = false, forceValid_ = false, storeFresh_ = false;
   NeighborReport report_;

@@ -73,15 +73,35 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
     rowsValid_ = true;
     return;
   }
-  const CellGrid fresh = chooseGrid(box, reachOf(scene_, pullOffGap_), mostCells);
+  adaptSkin(box);
+  const CellGrid fresh = chooseGrid(box, reachOf(scene_, pullOffGap_, skin_), mostCells);
   bool fits = true;
   for (int d = 0; d < 3; ++d) fits = fits && fresh.size[d] * 2.0 <= frame_.window[d];
   if (!fits) reframe(chooseFrame(box, fresh));
   explainMemory([&] { rebuildIn(fresh); });
   storeFresh_ = false;
-  inner_.setSkin(scene_.skin, reachSlackOf(frame_));
+  inner_.setSkin(skin_, reachSlackOf(frame_));
   rowsValid_ = true;
   resetStatus();
+}
+
+/// Rows that wear out quickly get a wider skin than the script asks for: on a GPU a step looks at near entries only, but
+/// a rebuild of a small scene takes as long as ten steps. Results do not depend on the skin but for the order of sums;
+/// large scenes keep theirs, as memory counts there.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::adaptSkin(const Box &box)
+{
+  constexpr std::uint32_t mostGrains = 1000000;
+  constexpr int few = 100, many = 400;  // steps
+  const int lasted = drift_.steps();
+  const bool worn = wornOut_;
+  wornOut_ = false;
+  if (!Exec::onGpu || !worn || count_ > mostGrains || (lasted >= few && lasted <= many)) return;
+  const double skin = lasted < few ? std::min(1.5 * skin_, 3.0 * scene_.skin) : std::max(skin_ / 1.5, scene_.skin);
+  for (int d = 0; d < box.dimension; ++d)
+    if (box.periodic[d] && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_, skin)) return;
+  skin_ = skin;
+  anchorRule_ = chooseAnchors(frame_, skin_);
 }
 
 /// Coordinates in other windows: a box that grew a lot has larger cells, and a window must span several.
@@ -90,7 +110,7 @@ void EngineImpl<Exec, P>::reframe(const Frame &frame)
 {
   exec_.forEach(count_, ReframeGrains<P>{positions(), cell_.data(), grid_, frame_, frame});
   frame_ = frame;
-  anchorRule_ = chooseAnchors(frame_, scene_.skin);
+  anchorRule_ = chooseAnchors(frame_, skin_);
 }
 
 /// The rebuild proper, into cells that are known to be good.
@@ -101,7 +121,7 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
 
   key_.reserve(count_);
   order_.reserve(count_);
-  levels_ = levelGrid(box_, levelRadii_, fresh, pullOffGap_, scene_.skin);
+  levels_ = levelGrid(box_, levelRadii_, fresh, pullOffGap_, skin_);
   const bool several = levels_.levels > 1;
   if (several) {
     searchCell_.reserve(count_);
@@ -140,7 +160,7 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
   const float huge = std::numeric_limits<float>::max();
   drift_.start(exec_.reduce(count_, GrainVelocity<Real>{motion_[motNow_].data()}, JoinRanges{},
                             VelocityRange{{huge, huge, huge}, {-huge, -huge, -huge}}),
-               scene_.timestep, scene_.skin);
+               scene_.timestep, skin_);
   buildTable();
   setAnchors();
 }
@@ -159,7 +179,7 @@ void EngineImpl<Exec, P>::buildTable()
   const bool dense = CellTable<Exec>::isDense(levels_.cells(), count_);
   v.directory = cells_.build(exec_, v.cell, count_, levels_.cells(), dense);
   v.frame = frame_;
-  v.skin = static_cast<float>(scene_.skin);
+  v.skin = static_cast<float>(skin_);
   v.reachSlack = reachSlackOf(frame_) + static_cast<float>(pullOffGap_);
   v.exclude.groups = static_cast<int>(scene_.exclusions.groups.size());
   for (int g = 0; g < v.exclude.groups; ++g) {
@@ -188,7 +208,7 @@ void EngineImpl<Exec, P>::setAnchors()
   s.grid = grid_;
   s.frame = frame_;
   s.rule = anchorRule_;
-  s.room = 0.5 * scene_.skin + drift_.room();
+  s.room = 0.5 * skin_ + drift_.room();
   attachWalls(s.wall, 0);
   for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
     if (isRegion(w)) continue;

@@ -81,7 +81,7 @@ void EngineImpl<Exec, P>::markNearRegions()
     m.frame = frame_;
     m.role = roles_.of(scene_.walls[w].groupMask);
     m.sweeps = wallSweeps_[w] != 0;
-    m.margin = wallPullOffGap(scene_.walls[w], scene_.largestRadius) + 0.5 * scene_.skin + drift_.room();
+    m.margin = wallPullOffGap(scene_.walls[w], scene_.largestRadius) + 0.5 * skin_ + drift_.room();
     m.shape = regionShapes_[w].data();
     m.parts = static_cast<int>(scene_.walls[w].region.size());
     m.history = wallSize_[w] ? wallHistory_[w].data() : nullptr;

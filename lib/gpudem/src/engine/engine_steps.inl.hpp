@@ -29,7 +29,8 @@ void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
   if (scene.exclusions.groups.size() > maxGroupExclusions)
     throw Error(fmt::format("{} group exclusions, at most {}", scene.exclusions.groups.size(), maxGroupExclusions));
   scene_ = scene;
-  rowsValid_ = false;
+  skin_ = scene.skin;
+  rowsValid_ = wornOut_ = false;
   setRoles();
   setLaws();
 
@@ -401,7 +402,10 @@ Progress EngineImpl<Exec, P>::flush()
   queued_ = 0;
   queuedSteps_.assign(1, reached);
   checkStatus(s, reached);
-  if (p.needsRebuild) rowsValid_ = false;
+  if (p.needsRebuild) {
+    rowsValid_ = false;
+    wornOut_ = true;
+  }
   if (stopped) {
     inner_.forget();
     resetStatus();

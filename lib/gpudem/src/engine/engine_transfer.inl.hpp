@@ -140,7 +140,7 @@ void EngineImpl<Exec, P>::importShape(const HostParticles &host)
 template <class Exec, class P>
 void EngineImpl<Exec, P>::requireRoom(const Box &box) const
 {
-  const double reach = reachOf(scene_, pullOffGap_);
+  const double reach = reachOf(scene_, pullOffGap_, skin_);
   for (int d = 0; d < box.dimension; ++d)
     if (box.periodic[d] && box.hi[d] - box.lo[d] < 2.0 * reach)
       throw Error(fmt::format("the periodic box is {:g} long in {}, shorter than twice the interaction range {:g}",
@@ -157,9 +157,9 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
   queued_ = 0;
   resetStatus();
   const SizeRange sizes = adoptSizes(host);
-  grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_), mostCells);
+  grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_, skin_), mostCells);
   frame_ = chooseFrame(box, grid_);
-  anchorRule_ = chooseAnchors(frame_, scene_.skin);
+  anchorRule_ = chooseAnchors(frame_, skin_);
   requireResolved(sizes, frame_, coordinateBits(scene_, precision_));
   count_ = static_cast<std::uint32_t>(host.count);
   explainMemory([&] { reserveParticles(); });
@@ -204,7 +204,7 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
   const auto vectors = [&](const double *p) { return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_); };
   if ((fields & fieldShape) && host.radius) {
     const SizeRange sizes = adoptSizes(host);
-    requireResolved(sizes, chooseFrame(box_, chooseGrid(box_, reachOf(scene_, pullOffGap_), mostCells)),
+    requireResolved(sizes, chooseFrame(box_, chooseGrid(box_, reachOf(scene_, pullOffGap_, skin_), mostCells)),
                     coordinateBits(scene_, precision_));
     importShape(host);
     rowsValid_ = false;

@@ -67,6 +67,7 @@ class CommonDrift {
   double room() const { return room_; }
   bool spent() const { return std::sqrt(dot(step_, step_)) * steps_ > room_; }
   void drifted(int steps) { steps_ += steps; }
+  int steps() const { return steps_; }  ///< since the rows were built
 
  private:
   Vec3<double> step_{0.0, 0.0, 0.0};

@@ -16,9 +16,9 @@ namespace gpudem {
 
 /// Largest distance at which two grains are listed (distance).
 /// \param pullOffGap gap across which grains in contact still pull on each other (distance)
-inline double reachOf(const SceneSpec &scene, double pullOffGap)
+inline double reachOf(const SceneSpec &scene, double pullOffGap, double skin)
 {
-  return 2.0 * scene.largestRadius + pullOffGap + scene.skin;
+  return 2.0 * scene.largestRadius + pullOffGap + skin;
 }
 
 /// Cells of at least one reach, larger if there were more than \p most of them.

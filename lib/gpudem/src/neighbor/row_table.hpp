@@ -44,7 +44,8 @@ class RowTable {
     exec.forEach(v.count, CountNeighbors<P>{v, count_.data()});
     exec.forEach(slices, SliceWidths<W>{v.count, count_.data(), sliceEntries_.data(), sliceWords_.data()});
     entries_ = exec.exclusiveScan(sliceEntries_.data(), start_.data(), slices);
-    const std::uint64_t words = exec.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices);
+    const std::uint64_t more = exec.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices), words = v.count + more;
+    exec.forEach(slices + 1, AddToAll{v.count, maskStart_.data()});  // the first words of the rows come before
     if (entries_ >> 32) throw Error(fmt::format("{} neighbour entries exceed the 32-bit index of the rows", entries_));
     neighbor_.reserveWithSlack(entries_);
     near_.reserveWithSlack(words);
@@ -78,14 +79,14 @@ class RowTable {
   template <Keeping keeping>
   FillRows<P, keeping, W> fill(const BuildView<P> &v, const ContactStore<Real> &store, const std::uint32_t *oldIndex)
   {
-    return {v,     start_.data(), maskStart_.data(), count_.data(), neighbor_.data(), touch_.data(), spring_.data(),
-            store, oldIndex};
+    return {v, view(), neighbor_.data(), store, oldIndex};
   }
 
   template <class T>
   using Array = typename Exec::template Array<T>;
   Array<std::uint32_t> count_{"row lengths"}, sliceEntries_{"slice widths"}, sliceWords_{"slice words"},
-      start_{"row starts"}, maskStart_{"touch starts"}, near_{"inner list"}, neighbor_{"neighbour rows"}, touch_{"touch bits"};
+      start_{"row starts"}, maskStart_{"touch starts"}, near_{"inner list"}, neighbor_{"neighbour rows"},
+      touch_{"touch bits"};
   Array<Real> spring_{"tangential springs"};
   std::uint64_t entries_ = 0;
   int size_ = 0;  ///< numbers per contact

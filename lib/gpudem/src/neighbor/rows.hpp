@@ -127,15 +127,23 @@ struct SliceWidths {
   static constexpr int minimumBlocks = 1;
   std::uint32_t count;
   const std::uint32_t *length;
-  std::uint32_t *entries, *words;  ///< [slices]
+  std::uint32_t *entries, *words;  ///< [slices]; words beyond the first of each row
   GPUDEM_HD void operator()(std::uint32_t slice) const
   {
     std::uint32_t widest = 0;
     for (std::uint32_t i = slice * W; i < (slice + 1) * W && i < count; ++i)
       widest = length[i] > widest ? length[i] : widest;
     entries[slice] = widest * W;
-    words[slice] = (widest + 31) / 32 * W;
+    words[slice] = widest > 32 ? (widest - 1) / 32 * W : 0u;
   }
+};
+
+struct AddToAll {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  std::uint32_t value;
+  std::uint32_t *out;
+  GPUDEM_HD void operator()(std::uint32_t i) const { out[i] += value; }
 };
 
 /// Write the rows, touching neighbours first, and put each carried spring into its entry.
@@ -146,31 +154,27 @@ struct FillRows {
   static constexpr int blockSize = 128;
   static constexpr int minimumBlocks = 4;
   BuildView<P> v;
-  const std::uint32_t *start, *maskStart, *length;
+  RowView<Real> rows;
   std::uint32_t *neighbor;
-  std::uint32_t *touch;
-  Real *spring;
   ContactStore<Real> store;
   const std::uint32_t *oldIndex;  ///< [n] row of each grain in the store
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     const std::uint32_t slice = i / W, lane = i % W;
-    const std::uint32_t base = start[slice] + lane;
-    std::uint32_t *word = history ? touch + maskStart[slice] + lane : nullptr;
+    const std::uint32_t base = rows.start[slice] + lane;
     std::uint32_t from = 0, to = 0;
     if (history) {
-      const std::uint32_t words = (maskStart[slice + 1] - maskStart[slice]) / W;
-      for (std::uint32_t w = 0; w < words; ++w) word[w * W] = 0;
+      for (std::uint32_t w = 0; w < rows.words(slice, W); ++w) rows.touch[rows.wordOf(i, w, W)] = 0;
       from = store.offset[oldIndex[i]];
       to = store.offset[oldIndex[i] + 1];
     }
-    std::uint32_t front = 0, back = length[i];
+    std::uint32_t front = 0, back = rows.count[i];
     forEachNeighbor(v, i, [&](std::uint32_t j, bool touches) {
       if (touches) {
         const std::uint32_t k = front++;
         neighbor[base + k * W] = j;
-        if (history) carry(k, base, word, v.tag[j], from, to);
+        if (history) carry(i, k, base, v.tag[j], from, to);
       } else {
         neighbor[base + (--back) * W] = j;
       }
@@ -178,15 +182,15 @@ struct FillRows {
   }
 
  private:
-  GPUDEM_HD void carry(std::uint32_t k, std::uint32_t base, std::uint32_t *word, std::int32_t tag, std::uint32_t from,
+  GPUDEM_HD void carry(std::uint32_t i, std::uint32_t k, std::uint32_t base, std::int32_t tag, std::uint32_t from,
                        std::uint32_t to) const
   {
     const std::uint32_t m = store.find(from, to, tag);
     if (m == to) return;
     const int size = keptSize<keeping>(store.size);
-    Real *slot = spring + size * static_cast<std::size_t>(base + k * W);
+    Real *slot = rows.spring + size * static_cast<std::size_t>(base + k * W);
     for (int d = 0; d < size; ++d) slot[d] = store.spring[size * static_cast<std::size_t>(m) + d];
-    word[(k / 32) * W] |= 1u << (k % 32);
+    rows.touch[rows.wordOf(i, k / 32, W)] |= 1u << (k % 32);
   }
 };
 
@@ -199,10 +203,9 @@ struct CountSprings {
   std::uint32_t *out;  ///< [n]
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
-    const std::uint32_t *word = rows.touch + rows.maskStart[i / W] + i % W;
-    const std::uint32_t words = (rows.count[i] + 31) / 32;
     std::uint32_t n = 0;
-    for (std::uint32_t w = 0; w < words; ++w) n += static_cast<std::uint32_t>(bitCount(word[w * W]));
+    for (std::uint32_t w = 0; w < rows.words(i / W, W); ++w)
+      n += static_cast<std::uint32_t>(bitCount(rows.touch[rows.wordOf(i, w, W)]));
     out[i] = n;
   }
 };
@@ -221,12 +224,10 @@ struct ExtractSprings {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     const std::uint32_t slice = i / W, lane = i % W;
-    const std::uint32_t *word = rows.touch + rows.maskStart[slice] + lane;
-    const std::uint32_t words = (rows.count[i] + 31) / 32;
     const int size = keptSize<keeping>(storedSize);
     std::uint32_t to = offset[i];
-    for (std::uint32_t w = 0; w < words; ++w)
-      for (std::uint32_t bits = word[w * W]; bits; bits &= bits - 1) {
+    for (std::uint32_t w = 0; w < rows.words(slice, W); ++w)
+      for (std::uint32_t bits = rows.touch[rows.wordOf(i, w, W)]; bits; bits &= bits - 1) {
         const std::uint32_t k = w * 32 + static_cast<std::uint32_t>(lowestBit(bits));
         const std::size_t entry = rows.start[slice] + lane + static_cast<std::size_t>(k) * W;
         partner[to] = tag[rows.neighbor[entry]];

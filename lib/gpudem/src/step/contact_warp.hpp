@@ -36,25 +36,29 @@ struct WarpContacts {
   /// All lanes of a warp call this together; \p i is the grain of the lane if \p inRange.
   GPUDEM_HD void operator()(std::uint32_t i, bool inRange, Shared &shared) const
   {
-    if (s.sequence > s.status->lastAllowed) return;
     const std::uint32_t lane = warpLane(), slice = i / W;
-    const std::uint32_t base = s.rows.start[slice], wordStart = s.rows.maskStart[slice];
-    const std::uint32_t words = (s.rows.maskStart[slice + 1] - wordStart) / W;
+    const std::uint32_t base = s.rows.start[slice], words = s.rows.words(slice, W);
     const CoarsePosition c = s.in.coarse[inRange ? i : s.count - 1];
-    const std::uint32_t length = inRange && s.refresh ? s.rows.count[i] : 0u;
+    std::uint32_t near = !s.refresh && inRange ? s.rows.near[i] : 0u;
+    std::uint32_t old = Law::keeps(s) && inRange ? s.rows.touch[i] : 0u;
+    if (s.sequence > s.status->lastAllowed) return;
     if (inRange) prefetchLine(s.motionIn + i);
+    const std::uint32_t length = s.refresh && inRange ? s.rows.count[i] : 0u;
     GPUDEM_UNROLL
     for (int d = 0; d < loads; ++d) shared.sum[d][lane] = Real(0);
-    for (std::uint32_t w = 0; w < words; ++w) {
-      const std::uint32_t word = wordStart + w * W + lane, first = w * 32;
-      std::uint32_t near = 0, old = 0;
-      if (!s.refresh && inRange) near = s.rows.near[word];
-      if (Law::keeps(s) && inRange) old = s.rows.touch[word];
-      std::uint32_t bits = s.refresh ? measure(base + lane, length, first, c, near) : pick(base + lane, first, near, c);
+    for (std::uint32_t w = 0;;) {
+      const std::uint32_t word = s.rows.wordOf(i, w, W), first = w * 32;
+      const std::uint32_t bits =
+          s.refresh ? measure(base + lane, length, first, c, near) : pick(base + lane, first, near, c);
       if (s.refresh && inRange) s.rows.near[word] = near;
-      if (!warpAny((bits | old) != 0)) continue;
-      const std::uint32_t now = visit(base, i - lane, first, bits, old, shared);
-      if (Law::keeps(s) && inRange && now != old) s.rows.touch[word] = now;
+      if (warpAny((bits | old) != 0)) {
+        const std::uint32_t now = visit(base, i - lane, first, bits, old, shared);
+        if (Law::keeps(s) && inRange && now != old) s.rows.touch[word] = now;
+      }
+      if (++w >= words) break;
+      const std::uint32_t next = s.rows.wordOf(i, w, W);
+      near = !s.refresh && inRange ? s.rows.near[next] : 0u;
+      old = Law::keeps(s) && inRange ? s.rows.touch[next] : 0u;
     }
     float moved2 = 0.0f;
     if (inRange) {
@@ -86,6 +90,7 @@ struct WarpContacts {
                                    const CoarsePosition &c, std::uint32_t &near) const
   {
     std::uint32_t bits = 0;
+    near = 0;
     if (first >= length) return 0;
     const std::uint32_t last = length - first < 32u ? length - first : 32u;
     constexpr std::uint32_t batch = 4;
@@ -120,21 +125,24 @@ struct WarpContacts {
                                 const CoarsePosition &c) const
   {
     std::uint32_t bits = 0;
+    constexpr int batch = 4;  // as in measure
     while (near) {
-      const int k = lowestBit(near);
-      near &= near - 1;
-      const int k2 = near ? lowestBit(near) : k;
-      near &= near - 1;
-      const std::uint32_t entry = row + (first + k) * W, entry2 = row + (first + k2) * W;
-      const std::uint32_t j = s.rows.neighbor[entry], j2 = s.rows.neighbor[entry2];
-      const CoarsePosition o = s.in.coarse[j], o2 = s.in.coarse[j2];
-      if (mayTouch(c, o, s.coarseUnit, s.reachSlack)) {
-        bits |= 1u << k;
-        prefetch(entry, j);
+      int k[batch], last = 0;
+      std::uint32_t j[batch];
+      CoarsePosition o[batch];
+      GPUDEM_UNROLL
+      for (int b = 0; b < batch; ++b) {
+        k[b] = last = near ? lowestBit(near) : last;
+        near &= near - 1;
+        j[b] = s.rows.neighbor[row + (first + static_cast<std::uint32_t>(k[b])) * W];
       }
-      if (mayTouch(c, o2, s.coarseUnit, s.reachSlack)) {
-        bits |= 1u << k2;
-        prefetch(entry2, j2);
+      GPUDEM_UNROLL
+      for (int b = 0; b < batch; ++b) o[b] = s.in.coarse[j[b]];
+      GPUDEM_UNROLL
+      for (int b = 0; b < batch; ++b) {
+        if (!mayTouch(c, o[b], s.coarseUnit, s.reachSlack)) continue;
+        bits |= 1u << k[b];
+        prefetch(row + (first + static_cast<std::uint32_t>(k[b])) * W, j[b]);
       }
     }
     return bits;

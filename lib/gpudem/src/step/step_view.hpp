@@ -28,12 +28,24 @@ constexpr std::uint32_t noLimit = 0xffffffffu;
 template <class Real>
 struct RowView {
   const std::uint32_t *start;      ///< [slices] first entry of the slice
-  const std::uint32_t *maskStart;  ///< [slices] first touch word of the slice
+  const std::uint32_t *maskStart;  ///< [slices+1] first of the slice's words for entries beyond the 32nd of a row
   const std::uint32_t *count;      ///< [n] entries of the row
   std::uint32_t *near;             ///< [words] bit k: entry is within the inner reach
   const std::uint32_t *neighbor;   ///< [entries] device index
   std::uint32_t *touch;            ///< [words] bit k: entry is in contact (laws that keep something only)
   Real *spring;                    ///< [entries][size] what the contact keeps
+
+  /// Number of words that each row of a slice has.
+  GPUDEM_HD std::uint32_t words(std::uint32_t slice, std::uint32_t W) const
+  {
+    return 1 + (maskStart[slice + 1] - maskStart[slice]) / W;
+  }
+  /// Where the word for entries 32 w .. 32 w + 31 of row \p i lies. The first words of all rows lie together, where they
+  /// are found without asking for the slice.
+  GPUDEM_HD std::uint32_t wordOf(std::uint32_t i, std::uint32_t w, std::uint32_t W) const
+  {
+    return w == 0 ? i : maskStart[i / W] + (w - 1) * W + i % W;
+  }
 };
 
 /// Displacement since the rows were built, from 10 bits per coordinate of the position at that time.

@@ -102,33 +102,36 @@ TEST_P(NeighborEngineTest, InsertionOfALargestAndASmallestGrain)
   expectForces(after, scene, box, oracle, 60);
 }
 
-/// Radii that grow beyond the largest the scene announced, and shrink, between two rebuilds.
+/// Radii that grow beyond the largest the scene announced, and shrink, between two rebuilds; the windows of the coordinates
+/// grow with them.
 TEST_P(NeighborEngineTest, RadiiThatChange)
 {
-  const Box box = cube(12.0, {true, false, true});
-  SceneSpec scene = springScene(0.4, 0);
-  Grains start = randomCloud(900, box, 0.2, 0.4, 6);
-  Oracle oracle(scene, box, start);
-  oracle.evaluate(0, false);
-  const std::unique_ptr<Engine> engine = make();
-  Driver driver(*engine, scene, box, start);
-  for (int k = 1; k <= 30; ++k) oracle.step(k);
-  driver.run(30);
+  for (const int levels : {0, 1, 5}) {
+    const Box box = cube(12.0, {true, false, true});
+    SceneSpec scene = springScene(0.4, levels);
+    Grains start = randomCloud(900, box, 0.2, 0.4, 6);
+    Oracle oracle(scene, box, start);
+    oracle.evaluate(0, false);
+    const std::unique_ptr<Engine> engine = make();
+    Driver driver(*engine, scene, box, start);
+    for (int k = 1; k <= 30; ++k) oracle.step(k);
+    driver.run(30);
 
-  for (const double factor : {4.0, 0.1, 2.0}) {
-    for (std::size_t i = 0; i < start.size(); i += 97) start.radius[i] *= factor;
-    engine->uploadFields(start.view(), fieldShape);
-    engine->rebuild(box);
-    engine->evaluateForce({}, {});
-    Grains now = driver.read();
-    now.radius = start.radius;
-    Oracle grown(scene, box, now);
-    grown.kept = oracle.kept;
-    grown.evaluate(30, false);
-    EXPECT_LT(largestDifference(now.f, grown.grains.f), (fine() ? 1e-9 : 2e-3) * largest(grown.grains.f)) << factor;
+    for (const double factor : {4.0, 0.1, 2.0}) {
+      for (std::size_t i = 0; i < start.size(); i += 97) start.radius[i] *= factor;
+      engine->uploadFields(start.view(), fieldShape);
+      engine->rebuild(box);
+      engine->evaluateForce({}, {});
+      Grains now = driver.read();
+      now.radius = start.radius;
+      Oracle grown(scene, box, now);
+      grown.kept = oracle.kept;
+      grown.evaluate(30, false);
+      EXPECT_LT(largestDifference(now.f, grown.grains.f), (fine() ? 1e-9 : 2e-3) * largest(grown.grains.f)) << factor << ", levels " << levels;
+    }
+    start.radius[3] = 3.5;  // reach 7.1 of a box of 12
+    EXPECT_THROW(engine->uploadFields(start.view(), fieldShape), Error);
   }
-  start.radius[3] = 3.5;  // reach 7.1 of a box of 12
-  EXPECT_THROW(engine->uploadFields(start.view(), fieldShape), Error);
 }
 
 /// Faces that follow the grains, as a shrink-wrapped box does.

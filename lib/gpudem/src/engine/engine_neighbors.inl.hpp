@@ -75,9 +75,7 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
   }
   adaptSkin(box);
   const CellGrid fresh = chooseGrid(box, reachOf(scene_, pullOffGap_, skin_), mostCells);
-  bool fits = true;
-  for (int d = 0; d < 3; ++d) fits = fits && fresh.size[d] * 2.0 <= frame_.window[d];
-  if (!fits) reframe(chooseFrame(box, fresh));
+  if (!spansSearch(frame_, box, fresh)) reframe(chooseFrame(box, fresh));
   explainMemory([&] { rebuildIn(fresh); });
   storeFresh_ = false;
   inner_.setSkin(skin_, reachSlackOf(frame_));

@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The GPUDEM developers
 #include "fix_neigh_history_gpudem.h"
 
+#include "cross_contacts.h"
+
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -65,18 +67,18 @@ int FixNeighHistoryGpudem::entryOf(int i, tagint wanted, LongLists &lists) const
   return found != list.end() && found->first == wanted ? found->second : -1;
 }
 
-/// What the partner holds of a contact, or null if it does not hold it or holds another spring.
-/// delete_atoms renumbers atoms but not the partners stored here, so that an entry may name the wrong grain.
-const double *FixNeighHistoryGpudem::partnersCopy(int owner, int entry, const std::vector<int> &localOf,
-                                                  LongLists &lists) const
+/// What the local atom \p other keeps of its contact with the local atom \p owner, or null.
+const double *FixNeighHistoryGpudem::localCopy(int owner, int other, LongLists &lists) const
 {
-  const tagint wanted = partner[owner][entry];
-  if (wanted < 0 || wanted >= static_cast<tagint>(localOf.size()) || localOf[wanted] < 0) return nullptr;
-  const int other = localOf[wanted];
-  const double *mine = valuepartner[owner] + dnum * entry;
   const int k = entryOf(other, atom->tag[owner], lists);
-  if (k < 0) return nullptr;
-  const double *theirs = valuepartner[other] + dnum * k;
+  return k < 0 ? nullptr : valuepartner[other] + dnum * k;
+}
+
+/// delete_atoms renumbers atoms but not the partners stored here, so that an entry may name the wrong grain, with which
+/// there is another contact or none.
+bool FixNeighHistoryGpudem::isSameContact(const double *mine, const double *theirs) const
+{
+  if (!theirs) return false;
   double sum = 0.0, size = 0.0;
   for (std::size_t d = 0; d < place.size(); ++d) {
     if (mirror[d] > 0) continue;  // stock LAMMPS keeps rolling and twisting numbers with the wrong sign
@@ -84,28 +86,43 @@ const double *FixNeighHistoryGpudem::partnersCopy(int owner, int entry, const st
     size += std::fabs(mine[place[d]]) + std::fabs(theirs[place[d]]);
   }
   constexpr double roundOff = 1.0e-3;  // of single precision sums; the spring of another contact differs by its size
-  return sum <= roundOff * size ? theirs : nullptr;
+  return sum <= roundOff * size;
 }
 
-void FixNeighHistoryGpudem::exportTo(gpudem::ContactHistory &history) const
+void FixNeighHistoryGpudem::exportTo(gpudem::ContactHistory &history, Source source) const
 {
   const int nlocal = atom->nlocal;
   const tagint *tag = atom->tag;
   const tagint largest = nlocal ? *std::max_element(tag, tag + nlocal) : 0;
   std::vector<int> localOf(static_cast<std::size_t>(largest) + 1, -1);
   for (int i = 0; i < nlocal; ++i) localOf[tag[i]] = i;
+  const auto local = [&](tagint wanted) {
+    return wanted < 0 || wanted >= static_cast<tagint>(localOf.size()) ? -1 : localOf[wanted];
+  };
+  const bool several = comm->nprocs > 1, ask = several && source == Source::Elsewhere;
+  CrossContacts cross(world, dnum);
+  for (int i = 0; ask && i < nlocal; ++i)
+    for (int m = 0; m < npartner[i]; ++m)
+      if (local(partner[i][m]) < 0) cross.add(tag[i], partner[i][m], valuepartner[i] + dnum * m);
+  if (ask) cross.match();
+
   history.size = static_cast<int>(place.size());
   history.offset.assign(nlocal + 1, 0);
   history.partner.clear();
   history.spring.clear();
   LongLists lists;
+  std::size_t asked = 0;
   for (int i = 0; i < nlocal; ++i) {
     for (int m = 0; m < npartner[i]; ++m) {
-      const double *mine = valuepartner[i] + dnum * m, *theirs = partnersCopy(i, m, localOf, lists);
-      if (!theirs) continue;
+      const int other = local(partner[i][m]);
+      const double *mine = valuepartner[i] + dnum * m, *theirs = nullptr;
+      if (other >= 0) theirs = localCopy(i, other, lists);
+      else if (ask) theirs = cross.partnersCopy(asked++);
+      const bool kept = other < 0 && several && !ask;  // by the device, which has the same numbers on both sides
+      if (!kept && !isSameContact(mine, theirs)) continue;
       history.partner.push_back(partner[i][m]);
       // numbers that both see alike: stock LAMMPS gives the two copies opposite signs, so one grain must decide
-      const double *shared = tag[i] < partner[i][m] ? mine : theirs;
+      const double *shared = kept || tag[i] < partner[i][m] ? mine : theirs;
       for (std::size_t d = 0; d < place.size(); ++d)
         history.spring.push_back(mirror[d] > 0 ? shared[place[d]] : mine[place[d]]);
     }

@@ -29,7 +29,10 @@ class FixNeighHistoryGpudem : public FixNeighHistory {
   /// from the partner. Without this call they are the three of a tangential spring.
   void setPlaces(const std::vector<int> &place, const std::vector<signed char> &mirror);
 
-  void exportTo(gpudem::ContactHistory &history) const;
+  /// Where the per-atom lists come from: those of the device hold both sides of every contact.
+  enum class Source { Device, Elsewhere };
+  /// Contacts of the local atoms; those which the partner does not hold are left out. Collective.
+  void exportTo(gpudem::ContactHistory &history, Source source) const;
   void importFrom(const gpudem::ContactHistory &history);
 
   /// The run is resident: hooks that assume neighbour lists on the host do nothing.
@@ -42,7 +45,8 @@ class FixNeighHistoryGpudem : public FixNeighHistory {
  private:
   using LongLists = std::unordered_map<int, std::vector<std::pair<tagint, int>>>;  ///< partners and where they stand
   int entryOf(int i, tagint wanted, LongLists &lists) const;
-  const double *partnersCopy(int owner, int entry, const std::vector<int> &localOf, LongLists &lists) const;
+  const double *localCopy(int owner, int other, LongLists &lists) const;
+  bool isSameContact(const double *mine, const double *theirs) const;
 
   std::vector<int> place{0, 1, 2};
   std::vector<signed char> mirror{-1, -1, -1};

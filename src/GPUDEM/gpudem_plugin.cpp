@@ -3,9 +3,12 @@
 /// \file One table of styles, two doors: `plugin load`, and interposition of LAMMPS::post_create() for a LAMMPS
 /// without the PLUGIN package (the launcher lmp_gpudem, or this library as LD_PRELOAD).
 
+#include "balance_slice.h"
 #include "compute_erotate_sphere_gpudem.h"
 #include "compute_ke_gpudem.h"
 #include "compute_temp_gpudem.h"
+#include "fix_balance_slice.h"
+#include "fix_check_timestep_gran.h"
 #include "fix_enforce2d_gpudem.h"
 #include "fix_freeze_gpudem.h"
 #include "fix_gravity_gpudem.h"
@@ -16,6 +19,7 @@
 #include "fix_viscous_gpudem.h"
 #include "fix_wall_gran_gpudem.h"
 #include "fix_wall_gran_region_gpudem.h"
+#include "fix_wall_gran_sdf.h"
 #include "gpudem_command.h"
 #include "gpudem_settings.h"
 #include "pair_gran_hertz_history_gpudem.h"
@@ -60,9 +64,10 @@ Integrate *makeVerlet(LAMMPS *lmp, int narg, char **arg)
 {
   return new VerletGpudem(lmp, narg, arg);
 }
+template <class T>
 Command *makeCommand(LAMMPS *lmp)
 {
-  return new GpudemCommand(lmp);
+  return new T(lmp);
 }
 
 void registerStyles(LAMMPS *lmp)
@@ -83,7 +88,10 @@ void registerStyles(LAMMPS *lmp)
   fixes["enforce2d/gpudem"] = &makeFix<FixEnforce2DGpudem>;
   fixes["wall/gran/gpudem"] = &makeFix<FixWallGranGpudem>;
   fixes["wall/gran/region/gpudem"] = &makeFix<FixWallGranRegionGpudem>;
+  fixes["wall/gran/sdf"] = &makeFix<FixWallGranSdf>;
   fixes["move/gpudem"] = &makeFix<FixMoveGpudem>;
+  fixes["balance/slice"] = &makeFix<FixBalanceSlice>;
+  fixes["check/timestep/gran"] = &makeFix<FixCheckTimestepGran>;
 
   auto &computes = *lmp->modify->compute_map;
   computes["ke/gpudem"] = &makeCompute<ComputeKEGpudem>;
@@ -91,7 +99,9 @@ void registerStyles(LAMMPS *lmp)
   computes["temp/gpudem"] = &makeCompute<ComputeTempGpudem>;
 
   (*lmp->update->integrate_map)["verlet/gpudem"] = &makeVerlet;
-  (*lmp->input->command_map)["gpudem"] = &makeCommand;
+  auto &commands = *lmp->input->command_map;
+  commands["gpudem"] = &makeCommand<GpudemCommand>;
+  commands["balance/slice"] = &makeCommand<BalanceSlice>;
 }
 
 bool suffixIsGpudem(LAMMPS *lmp)

@@ -4,6 +4,7 @@
 
 #include "lammps_expose.h"
 
+#include "fix_balance.h"
 #include "pair_granular.h"
 #include "pair_hybrid.h"
 
@@ -17,6 +18,7 @@ GPUDEM_EXPOSE(ThermoFixes, Thermo, Fix **, fixes);
 GPUDEM_EXPOSE(ThermoVariableCount, Thermo, int, nvariable);
 GPUDEM_EXPOSE(ThermoVariables, Thermo, char **, id_variable);
 GPUDEM_EXPOSE(VariableData, Variable, char ***, data);
+GPUDEM_EXPOSE(FixBalanceWeighs, FixBalance, int, wtflag);
 GPUDEM_EXPOSE(GranularNormalModel, PairGranular, int **, normal_model);
 GPUDEM_EXPOSE(GranularDampingModel, PairGranular, int **, damping_model);
 GPUDEM_EXPOSE(GranularTangentialModel, PairGranular, int **, tangential_model);
@@ -80,6 +82,12 @@ void GpudemCompat::setGranularHistory(PairGranular *pair, bool tangential, bool 
   pair->*reach(GranularTangentialHistory{}) = tangential;
   pair->*reach(GranularRollHistory{}) = roll;
   pair->*reach(GranularTwistHistory{}) = twist;
+}
+
+bool GpudemCompat::weighs(const Fix *fix)
+{
+  const auto *balance = dynamic_cast<const FixBalance *>(fix);
+  return balance && balance->*reach(FixBalanceWeighs{}) != 0;
 }
 
 Pair *GpudemCompat::soleSubStyle(PairHybrid *hybrid, int types)

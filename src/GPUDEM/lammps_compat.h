@@ -51,6 +51,9 @@ GranularTables granularTables(PairGranular *pair);
 /// Which slots keep something, as pair_coeff would have found.
 void setGranularHistory(PairGranular *pair, bool tangential, bool roll, bool twist);
 
+/// Is \p fix a fix balance with weights?
+bool weighs(const Fix *fix);
+
 /// The sub-style of a hybrid that has only one and uses it for all pairs of \p types types, else null.
 Pair *soleSubStyle(PairHybrid *hybrid, int types);
 

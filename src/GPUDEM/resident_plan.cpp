@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The GPUDEM developers
 #include "resident_plan.h"
 
+#include "fix_balance_slice.h"
 #include "fix_move_gpudem.h"
 #include "fix_neigh_history_gpudem.h"
 #include "formula.h"
@@ -43,17 +44,29 @@ ResidentPair *residentPair(LAMMPS *lmp)
                                              : lmp->force->pair);
 }
 
-/// fix balance moves sub-domains, not particles or faces of the box: on one rank it has nothing to do.
+/// fix balance and balance/slice move sub-domains, not faces of the box: on one rank they have nothing to do.
 bool balances(const Fix *fix)
 {
-  return strcmp(fix->style, "balance") == 0;
+  return strcmp(fix->style, "balance") == 0 || strcmp(fix->style, "balance/slice") == 0;
+}
+
+/// Why a fix that balances cannot do so between events, empty if it can. Lists of neighbours live on the device.
+std::string balanceObstacle(const Fix *fix)
+{
+  if (const auto *slice = dynamic_cast<const FixBalanceSlice *>(fix)) {
+    if (!slice->needsNeighbors()) return "";
+    return fmt::format("fix {} ({}) weighs particles by neighbours, whose lists the device would hold", fix->id,
+                       fix->style);
+  }
+  if (!GpudemCompat::weighs(fix)) return "";
+  return fmt::format("fix {} ({}) weighs particles, which is possible with fix balance/slice only", fix->id,
+                     fix->style);
 }
 
 /// First obstacle to residency, empty if there is none.
 std::string obstacle(LAMMPS *lmp)
 {
   Force *force = lmp->force;
-  if (lmp->comm->nprocs > 1) return "several MPI ranks share the box: this run uses LAMMPS' own loop on every rank";
   if (lmp->domain->triclinic) return "the box is triclinic";
   if (!force->pair) return "there is no pair style";
   const ResidentPair *pair = residentPair(lmp);
@@ -71,6 +84,11 @@ std::string obstacle(LAMMPS *lmp)
   for (int k = 0; k < lmp->modify->nfix; ++k) {
     const Fix *fix = lmp->modify->fix[k];
     if (fix->rigid_flag) return fmt::format("fix {} ({}) moves rigid bodies", fix->id, fix->style);
+    if (balances(fix) && lmp->comm->nprocs > 1) {
+      const std::string why = balanceObstacle(fix);
+      if (!why.empty()) return why;
+      continue;
+    }
     if (fix->box_change && !balances(fix)) return fmt::format("fix {} ({}) changes the box", fix->id, fix->style);
   }
   return "";
@@ -121,8 +139,12 @@ void classify(LAMMPS *lmp, ResidentPlan &plan)
       plan.history = history;
       continue;
     }
-    if (balances(fix)) {
-      plan.skipped.push_back(fmt::format("fix {} (balance), on one rank", fix->id));
+    if (dynamic_cast<FixBalanceSlice *>(fix) && lmp->comm->nprocs > 1 && !fix->force_reneighbor) {
+      plan.onHost.push_back(fmt::format("fix {} ({}) on the host at the start of runs", fix->id, fix->style));
+      continue;
+    }
+    if (balances(fix) && lmp->comm->nprocs == 1) {
+      plan.skipped.push_back(fmt::format("fix {} ({}), on one rank", fix->id, fix->style));
       continue;
     }
     if (strcmp(fix->style, "GROUP") == 0) {
@@ -174,14 +196,31 @@ void checkThermo(LAMMPS *lmp, ResidentPlan &plan)
     if (!dynamic_cast<ResidentCompute *>(c) && strcmp(c->style, "pressure") != 0 && strcmp(c->style, "pe") != 0)
       readers.push_back(fmt::format("compute {} ({})", c->id, c->style));
   for (Fix *f : in.fixes)
-    if (!dynamic_cast<ResidentFix *>(f) && !utils::strmatch(f->style, "^ave/") && !utils::strmatch(f->style, "^pour"))
+    if (!dynamic_cast<ResidentFix *>(f) && !balances(f) && !utils::strmatch(f->style, "^ave/") &&
+        !utils::strmatch(f->style, "^pour") && !utils::strmatch(f->style, "^check/timestep"))
       readers.push_back(fmt::format("fix {} ({})", f->id, f->style));
   for (const std::string &v : in.variables)
     if (!isHostFree(lmp, v, FormulaScope::Thermo)) readers.push_back("variable " + v);
   if (readers.empty()) return;
+  std::sort(readers.begin(), readers.end());
+  readers.erase(std::unique(readers.begin(), readers.end()), readers.end());
   plan.thermoOnDevice = false;
   plan.onHost.push_back(
       fmt::format("{} at thermodynamic output: particles are copied to the host each time", fmt::join(readers, ", ")));
+}
+
+/// Styles with messages of their own between ranks, or between a rank and its periodic images.
+void checkGhosts(LAMMPS *lmp, ResidentPlan &plan)
+{
+  for (int k = 0; k < lmp->modify->nfix; ++k) {
+    const Fix *fix = lmp->modify->fix[k];
+    if (dynamic_cast<const ResidentFix *>(fix) || dynamic_cast<const FixNeighHistoryGpudem *>(fix)) continue;
+    plan.hostGhosts = plan.hostGhosts || fix->comm_forward || fix->comm_reverse;
+  }
+  for (int k = 0; k < lmp->modify->ncompute; ++k) {
+    const Compute *c = lmp->modify->compute[k];
+    plan.hostGhosts = plan.hostGhosts || c->comm_forward || c->comm_reverse;
+  }
 }
 
 void checkLists(LAMMPS *lmp, ResidentPlan &plan)
@@ -252,7 +291,17 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
       return plan;
     }
   checkThermo(lmp, plan);
+  checkGhosts(lmp, plan);
   checkLists(lmp, plan);
+  for (int k = 0; plan.hostLists && lmp->comm->nprocs > 1 && k < lmp->modify->nfix; ++k) {
+    const auto *slice = dynamic_cast<const FixBalanceSlice *>(lmp->modify->fix[k]);
+    if (!slice || !slice->weighsByVariable()) continue;
+    plan.reason = fmt::format(
+        "fix {} ({}) weighs particles by a variable, and a style reads neighbour lists on the host, "
+        "which are not there when it does",
+        slice->id, slice->style);
+    return plan;
+  }
   describeSkipped(lmp, plan);
   plan.possible = true;
   return plan;

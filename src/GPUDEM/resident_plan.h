@@ -37,6 +37,7 @@ struct ResidentPlan {
   std::vector<Fix *> groups;         ///< LAMMPS' internal fixes that choose the members of dynamic groups
   std::vector<int> endOfStep;        ///< periods of the host fixes that act at end_of_step
   bool hostLists = false;            ///< a host style asked for a neighbour list
+  bool hostGhosts = false;           ///< a host style tells ghosts on the host something, so LAMMPS must know them
   bool thermoOnDevice = true;        ///< thermodynamic output needs no particle on the host
   std::vector<std::string> onHost;   ///< for the log: what runs on the host, and when
   std::vector<std::string> skipped;  ///< for the log: what the scene does not need

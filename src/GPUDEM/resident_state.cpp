@@ -11,6 +11,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "neighbor.h"
 #include "update.h"
 
 #include <algorithm>
@@ -26,6 +27,8 @@ void ResidentState::prepareEngine()
 {
   const GpudemSettings &settings = gpudemSettings(lmp);
   if (engine_ && settingsVersion_ == settings.version) return;
+  if (comm->nprocs > 1 && !ranks_) ranks_ = std::make_unique<MpiRankExchange>(world);
+  const int neighbours = ranks_ ? ranks_->ranksOnHost() : 1;
   gpudem::EngineOptions o;
   const int gpus = gpudem::gpuCount();
   if (settings.device == "gpu" && gpus == 0)
@@ -34,10 +37,13 @@ void ResidentState::prepareEngine()
   o.device = settings.device == "gpu" || (settings.device == "auto" && gpus > 0) ? gpudem::DeviceKind::Gpu
                                                                                  : gpudem::DeviceKind::Cpu;
   o.precision = settings.precision == "double" ? gpudem::Precision::Double : gpudem::Precision::Mixed;
-  o.threads =
-      settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  o.threads = settings.threads > 0 ? settings.threads
+                                   : std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / neighbours);
+  if (ranks_ && gpus > 0) o.gpu = ranks_->rankOnHost() % gpus;
   engine_.reset();
   engine_ = gpudem::makeEngine(o);
+  engine_->joinRanks(ranks_.get());
+  onGpu_ = o.device == gpudem::DeviceKind::Gpu;
   settingsVersion_ = settings.version;
 }
 
@@ -101,15 +107,48 @@ void ResidentState::checkRadii()
                  update->ntimestep, atom->radius[i]);
 }
 
-void ResidentState::uploadAll(const ResidentPlan &plan)
+gpudem::Home ResidentState::home() const
+{
+  gpudem::Home h;
+  for (int d = 0; d < 3; ++d) h.middle[d] = 0.5 * (domain->sublo[d] + domain->subhi[d]);
+  h.commonMotion = !ranks_ || thinnest_ > 4.0 * neighbor->skin;
+  return h;
+}
+
+double ResidentState::noteSubDomains()
+{
+  if (!ranks_) return 0.0;
+  double width = domain->subhi[0] - domain->sublo[0];
+  for (int d = 1; d < domain->dimension; ++d) width = std::min(width, domain->subhi[d] - domain->sublo[d]);
+  MPI_Allreduce(&width, &thinnest_, 1, MPI_DOUBLE, MPI_MIN, world);
+  return thinnest_;
+}
+
+double ResidentState::strayLimit(const ResidentPlan &plan) const
+{
+  // LAMMPS hands grains on to ranks that touch only, and before the next rebuild a grain may move by a few skins
+  if (thinnest_ <= 4.0 * neighbor->skin) return 0.0;
+  constexpr double share = 0.02;  // of the width: a few per cent more ghosts
+  return std::min(std::max(plan.scene.largestRadius, share * thinnest_), 0.25 * thinnest_);
+}
+
+void ResidentState::rebuild()
+{
+  engine_->setHome(home());
+  engine_->rebuild(box());
+}
+
+void ResidentState::uploadAll(const ResidentPlan &plan, FixNeighHistoryGpudem::Source source)
 {
   checkFinite(gpudem::fieldKinetic);
   checkRadii();
   gpudem::SceneSpec scene = plan.scene;
   for (int i = 0; i < atom->nlocal; ++i) scene.largestRadius = std::max(scene.largestRadius, atom->radius[i]);
+  if (ranks_) MPI_Allreduce(MPI_IN_PLACE, &scene.largestRadius, 1, MPI_DOUBLE, MPI_MAX, world);
   engine_->setScene(scene);
+  engine_->setHome(home());
   gpudem::ContactHistory history;
-  if (plan.history) plan.history->exportTo(history);
+  if (plan.history) plan.history->exportTo(history, source);
   engine_->upload(host(), box(), plan.history ? &history : nullptr);
   std::vector<double> values;
   for (ResidentWall *wall : plan.walls) {
@@ -173,8 +212,9 @@ void ResidentState::toHost(unsigned fields)
 
 bool ResidentState::toDevice()
 {
-  if (!deviceStale_) return false;
-  const unsigned fields = deviceStale_;
+  unsigned fields = deviceStale_;
+  if (ranks_) MPI_Allreduce(MPI_IN_PLACE, &fields, 1, MPI_UNSIGNED, MPI_BOR, world);
+  if (!fields) return false;
   checkFinite(fields);
   engine_->uploadFields(host(), fields);
   deviceStale_ = 0;

@@ -4,7 +4,9 @@
 #ifndef LMP_GPUDEM_RESIDENT_STATE_H
 #define LMP_GPUDEM_RESIDENT_STATE_H
 
+#include "fix_neigh_history_gpudem.h"
 #include "gpudem/engine.h"
+#include "mpi_rank_exchange.h"
 #include "pointers.h"
 #include "resident_plan.h"
 
@@ -20,9 +22,22 @@ class ResidentState : protected Pointers {
   /// Make or keep the engine that the settings ask for.
   void prepareEngine();
   gpudem::Engine &engine() { return *engine_; }
+  /// Who shares the box, null on one rank.
+  MpiRankExchange *ranks() { return ranks_.get(); }
+  const MpiRankExchange *ranks() const { return ranks_.get(); }
+  bool onGpu() const { return onGpu_; }
 
   /// Everything from the host: particles, springs, walls, origins. Rows are not built.
-  void uploadAll(const ResidentPlan &plan);
+  /// \param source of the springs
+  void uploadAll(const ResidentPlan &plan, FixNeighHistoryGpudem::Source source);
+  /// Rows from the present positions, in the present box and sub-domain.
+  void rebuild();
+  /// To be called whenever sub-domains have changed. Collective.
+  /// \return the width of the thinnest of any rank (distance), 0 on one rank
+  double noteSubDomains();
+  /// How far a grain may be outside its sub-domain before LAMMPS must hand it on (distance). A hand-over takes all
+  /// particles through the host; a grain outside takes ghosts, as if the sub-domain were larger.
+  double strayLimit(const ResidentPlan &plan) const;
   /// Everything to the host that is out of date there.
   void downloadAll(const ResidentPlan &plan);
   void downloadContacts(const ResidentPlan &plan);
@@ -48,6 +63,7 @@ class ResidentState : protected Pointers {
 
   gpudem::HostParticles host() const;
   gpudem::Box box() const;
+  gpudem::Home home() const;
 
  private:
   using Fingerprints = std::array<std::uint64_t, 8>;
@@ -58,8 +74,11 @@ class ResidentState : protected Pointers {
   void checkFinite(unsigned fields) const;
   void noteChanges(const Fingerprints &before);
 
+  std::unique_ptr<MpiRankExchange> ranks_;  ///< null on one rank; outlives the engine
   std::unique_ptr<gpudem::Engine> engine_;
+  double thinnest_ = 0.0;  ///< width of the thinnest sub-domain (distance)
   int settingsVersion_ = -1;
+  bool onGpu_ = false;
   unsigned hostStale_ = 0, deviceStale_ = 0;
   bool contactsStale_ = false;
 };

@@ -16,7 +16,7 @@ class ResidentWall : public ResidentFix {
  public:
   /// Entry of the scene's list of walls.
   int wallIndex() const { return wall; }
-  /// A region has launches of its own, which no limit of the device counts.
+  /// Regions and surfaces have launches of their own, which no limit of the device counts.
   virtual bool isRegion() const { return false; }
   /// Numbers kept per grain.
   virtual int numbers() const = 0;
@@ -30,6 +30,14 @@ class ResidentWall : public ResidentFix {
   virtual bool moves() const { return false; }
   /// Places and velocities of the parts at update->ntimestep.
   virtual std::vector<gpudem::PartMotion> motion() { return {}; }
+  /// Does the wall move as one body?
+  virtual bool bodyMoves() const { return false; }
+  /// Its place and velocity at update->ntimestep.
+  virtual gpudem::BodyMotion bodyMotion() { return {}; }
+  /// Numbers of steps after which it must see what the grains do, counted from step 0.
+  virtual std::vector<int> periods() const { return {}; }
+  /// What the grains did to the wall at an event.
+  virtual void setSums(const gpudem::WallSums &) {}
 
  protected:
   int wall = -1;

@@ -10,6 +10,7 @@
 #include "error.h"
 #include "fix.h"
 #include "force.h"
+#include "irregular.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neighbor.h"
@@ -34,6 +35,13 @@ VerletGpudem *VerletGpudem::active(LAMMPS *lmp)
   return self && self->onDevice ? self : nullptr;
 }
 
+/// With several ranks the others may not know of it.
+void VerletGpudem::fail(const gpudem::Error &e) const
+{
+  if (comm->nprocs > 1) error->one(FLERR, "GPUDEM: {}", e.what());
+  else error->all(FLERR, "GPUDEM: {}", e.what());
+}
+
 void VerletGpudem::init()
 {
   leaveResident();
@@ -49,7 +57,7 @@ void VerletGpudem::run(int n)
   try {
     runResident(n);
   } catch (const gpudem::Error &e) {
-    error->all(FLERR, "GPUDEM: {}", e.what());
+    fail(e);
   }
 }
 
@@ -57,9 +65,10 @@ void VerletGpudem::cleanup()
 {
   if (onDevice) {
     try {
+      printGhosts();
       state.downloadAll(plan);
     } catch (const gpudem::Error &e) {
-      error->all(FLERR, "GPUDEM: {}", e.what());
+      fail(e);
     }
     if (!hostListsBuilt)
       for (int k = 0; k < neighbor->nlist; ++k) neighbor->lists[k]->inum = 0;
@@ -72,8 +81,9 @@ void VerletGpudem::runResident(int n)
 {
   if (!onDevice) {  // "run N pre no": no setup went before; the host's arrays are the state
     enterResident();
-    state.uploadAll(plan);
-    state.engine().rebuild(state.box());
+    state.noteSubDomains();
+    state.uploadAll(plan, FixNeighHistoryGpudem::Source::Elsewhere);
+    state.rebuild();
     rowsDue = false;
     lastRebuild = update->ntimestep;
   }
@@ -104,6 +114,8 @@ bigint VerletGpudem::nextEvent(bigint last) const
     if (fix->next_reneighbor > now) event = std::min(event, fix->next_reneighbor);
   for (const int period : plan.endOfStep) event = std::min(event, (now / period + 1) * period);
   for (const Fix *fix : plan.groups) event = std::min(event, (now / fix->nevery + 1) * fix->nevery);
+  for (const ResidentWall *wall : plan.walls)
+    for (const int period : wall->periods()) event = std::min(event, (now / period + 1) * period);
   return event;
 }
 
@@ -112,8 +124,10 @@ gpudem::StepInputs VerletGpudem::inputs(bigint step)
   gpudem::StepInputs in;
   in.step = step;
   const auto moves = [](const ResidentWall *wall) { return wall->moves(); };
+  const auto bodyMoves = [](const ResidentWall *wall) { return wall->bodyMoves(); };
   const bool moving = std::any_of(plan.walls.begin(), plan.walls.end(), moves);
-  if (plan.varying.empty() && !moving) return in;
+  const bool bodies = std::any_of(plan.walls.begin(), plan.walls.end(), bodyMoves);
+  if (plan.varying.empty() && !moving && !bodies) return in;
   const bigint now = update->ntimestep;
   update->ntimestep = step;  // the variables read it
   if (!plan.varying.empty()) {
@@ -124,8 +138,21 @@ gpudem::StepInputs VerletGpudem::inputs(bigint step)
   if (moving) in.wallMotion.resize(plan.scene.walls.size());
   for (ResidentWall *wall : plan.walls)
     if (wall->moves()) in.wallMotion[wall->wallIndex()] = wall->motion();
+  if (bodies) in.bodyMotion.resize(plan.scene.walls.size());
+  for (ResidentWall *wall : plan.walls)
+    if (wall->bodyMoves()) in.bodyMotion[wall->wallIndex()] = wall->bodyMotion();
   update->ntimestep = now;
   return in;
+}
+
+/// Book the time since the last stamp, and what of it went by in messages of the engines as communication.
+void VerletGpudem::stamp(Timer::ttype what)
+{
+  timer->stamp(what);
+  if (!state.ranks() || !timer->has_normal()) return;
+  const double waited = state.ranks()->takeSeconds();
+  timer->set_wall(what, timer->get_wall(what) - waited);
+  timer->set_wall(Timer::COMM, timer->get_wall(Timer::COMM) + waited);
 }
 
 /// From the completed step update->ntimestep to mid step before the force of \p event.
@@ -139,9 +166,9 @@ void VerletGpudem::advanceTo(bigint event)
   while (step < event) {
     if (rowsDue) {
       update->ntimestep = step;
-      timer->stamp(Timer::PAIR);
+      stamp(Timer::PAIR);
       rebuildRows();
-      timer->stamp(Timer::NEIGH);
+      stamp(Timer::NEIGH);
     }
     const bigint expected = rebuildInterval - (step - lastRebuild);
     const int batch = static_cast<int>(std::min<bigint>(event - step, std::clamp<bigint>(expected, 4, 64)));
@@ -155,7 +182,7 @@ void VerletGpudem::advanceTo(bigint event)
   state.deviceMoved();
   state.contactsMoved();
   update->ntimestep = event;
-  timer->stamp(Timer::PAIR);
+  stamp(Timer::PAIR);
 }
 
 /// Host call points, force and second half kick of one event step.
@@ -175,9 +202,11 @@ void VerletGpudem::eventStep(bigint step)
     rowsDue = state.toDevice() || rowsDue;
     timer->stamp(Timer::MODIFY);
   }
-  if (reneighborAsked(step) || (rowsDue && plan.hostRebuilds)) rebuildThroughHost();
+  // lists on the host need every grain in its sub-domain, and once grains have forces they cannot be handed on
+  const bool lists = comm->nprocs > 1 && readsLists(step);
+  if (reneighborAsked(step) || lists || (rowsDue && plan.hostRebuilds)) rebuildThroughHost();
   else if (rowsDue) rebuildRows();
-  timer->stamp(Timer::NEIGH);
+  stamp(Timer::NEIGH);
 
   gpudem::Recording record;
   record.virial = vflag % 4 != 0;
@@ -185,7 +214,7 @@ void VerletGpudem::eventStep(bigint step)
   if (plan.hostForces || plan.hostIntegrates) completeWithHost(in, record);
   else completeOnDevice(in, record);
   publish(record);
-  timer->stamp(Timer::PAIR);
+  stamp(Timer::PAIR);
 }
 
 void VerletGpudem::completeOnDevice(const gpudem::StepInputs &in, const gpudem::Recording &record)
@@ -199,7 +228,7 @@ void VerletGpudem::completeWithHost(const gpudem::StepInputs &in, const gpudem::
 {
   if (modify->n_pre_force && plan.hostForces) {
     state.hostSection([&] { modify->pre_force(vflag); });
-    if (state.toDevice()) state.engine().rebuild(state.box());
+    if (state.toDevice()) state.rebuild();
   }
   state.engine().forceStep(in, record);
   state.deviceMoved();
@@ -228,15 +257,25 @@ void VerletGpudem::publish(const gpudem::Recording &record)
     plan.pair->setVirial(seen.virial);
     std::copy(seen.virial.begin(), seen.virial.end(), force->pair->virial);  // of a hybrid that wraps the pair style
   }
+  for (ResidentWall *wall : plan.walls) wall->setSums(seen.wall[wall->wallIndex()]);
   for (ResidentFix *fix : plan.fixes)
     if (fix->term >= 0) fix->setForceBefore(seen.termForce[fix->term]);
 }
 
+bool VerletGpudem::endOfStepDue(bigint step) const
+{
+  return std::any_of(plan.endOfStep.begin(), plan.endOfStep.end(), [&](int period) { return step % period == 0; });
+}
+
+/// Will a host style read neighbour lists at this event?
+bool VerletGpudem::readsLists(bigint step) const
+{
+  return plan.hostLists && (endOfStepDue(step) || step == output->next);
+}
+
 void VerletGpudem::endOfStep(bigint step)
 {
-  const bool due =
-      std::any_of(plan.endOfStep.begin(), plan.endOfStep.end(), [&](int period) { return step % period == 0; });
-  if (!due) return;
+  if (!endOfStepDue(step)) return;
   timer->stamp();
   if (plan.hostLists) {
     buildHostLists();
@@ -264,12 +303,29 @@ void VerletGpudem::writeOutput(bigint step)
   timer->stamp(Timer::OUTPUT);
 }
 
+gpudem::KineticSums VerletGpudem::sumOverRanks(gpudem::KineticSums own) const
+{
+  if (comm->nprocs == 1) return own;
+  double values[9], all[9];
+  std::copy(own.momentumFlux.begin(), own.momentumFlux.end(), values);
+  values[6] = own.rotational;
+  values[7] = own.gravity;
+  values[8] = static_cast<double>(own.count);
+  MPI_Allreduce(values, all, 9, MPI_DOUBLE, MPI_SUM, world);
+  std::copy_n(all, 6, own.momentumFlux.begin());
+  own.rotational = all[6];
+  own.gravity = all[7];
+  own.count = static_cast<std::int64_t>(all[8]);
+  return own;
+}
+
 const gpudem::KineticSums &VerletGpudem::kineticSums(unsigned groupMask, const gpudem::Array3 &gravity)
 {
   if (sumsStep != update->ntimestep) sums.clear();
   sumsStep = update->ntimestep;
   const auto key = std::make_pair(groupMask, gravity);
   auto found = sums.find(key);
-  if (found == sums.end()) found = sums.emplace(key, state.engine().kineticSums(groupMask, gravity)).first;
+  if (found == sums.end())
+    found = sums.emplace(key, sumOverRanks(state.engine().kineticSums(groupMask, gravity))).first;
   return found->second;
 }

@@ -5,9 +5,11 @@
 
 #include "resident_plan.h"
 #include "resident_state.h"
+#include "timer.h"
 #include "verlet.h"
 
 #include <map>
+#include <memory>
 #include <string>
 
 namespace LAMMPS_NS {
@@ -40,15 +42,19 @@ class VerletGpudem : public Verlet {
   void leaveResident();
   void printPlan();
   void printLevels();
+  std::string describeRanks() const;
+  void printGhosts();
 
   void setupResident(int flag);
   void runResident(int n);
   bigint nextEvent(bigint last) const;
   void advanceTo(bigint event);
+  void stamp(Timer::ttype what);
   void eventStep(bigint step);
   void completeOnDevice(const gpudem::StepInputs &in, const gpudem::Recording &record);
   void completeWithHost(const gpudem::StepInputs &in, const gpudem::Recording &record);
   void publish(const gpudem::Recording &record);
+  bool endOfStepDue(bigint step) const;
   void endOfStep(bigint step);
   void writeOutput(bigint step);
 
@@ -56,17 +62,23 @@ class VerletGpudem : public Verlet {
   void rebuildRows();
   void rebuildThroughHost();
   void shrinkWrap(const gpudem::Extent &extent);
-  bool lostThrough(const gpudem::Extent &extent) const;
+  bool mustHandOn(const gpudem::Extent &extent) const;
+  void handOnFarGrains();
+  bool readsLists(bigint step) const;
+  void fail(const gpudem::Error &e) const;
   void renewGhosts();
   void buildHostLists();
   void evaluatePairOnHost();
   gpudem::StepInputs inputs(bigint step);
+  gpudem::KineticSums sumOverRanks(gpudem::KineticSums own) const;
 
   ResidentPlan plan;
   ResidentState state;
   bool onDevice = false;        ///< the device holds the particles
   bool rowsDue = false;         ///< rows must be rebuilt before the next force
   bool hostListsBuilt = false;  ///< this run built neighbour lists on the host
+  std::unique_ptr<class Irregular> irregular;  ///< of grains that skip ranks
+  int handOvers = 0;                           ///< rebuilds of this run at which LAMMPS handed grains on
   bigint lastRebuild = 0;
   int rebuildInterval = 16;  ///< steps between the last two rebuilds
   std::string printedLevels; ///< the line on neighbour levels printed last

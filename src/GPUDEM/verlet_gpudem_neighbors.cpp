@@ -4,6 +4,7 @@
 
 #include "verlet_gpudem.h"
 
+#include "fix_balance_slice.h"
 #include "fix_neigh_history_gpudem.h"
 #include "resident.h"
 
@@ -12,6 +13,7 @@
 #include "domain.h"
 #include "fix.h"
 #include "force.h"
+#include "irregular.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
@@ -19,6 +21,7 @@
 #include "update.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 using namespace LAMMPS_NS;
@@ -26,14 +29,22 @@ using namespace LAMMPS_NS;
 /// A fix scheduled this step, or a restart is written: LAMMPS reneighbours then, whatever has moved.
 bool VerletGpudem::reneighborAsked(bigint step) const
 {
-  for (const Fix *fix : plan.scheduled)
-    if (fix->next_reneighbor == step) return true;
-  return output->restart_flag && output->next_restart == step;
+  bool asked = false;
+  for (Fix *fix : plan.scheduled) {
+    if (fix->next_reneighbor != step) continue;
+    auto *slice = dynamic_cast<FixBalanceSlice *>(fix);
+    asked = !(slice && slice->isEvenByCount()) || asked;
+  }
+  return asked || (output->restart_flag && output->next_restart == step);
 }
 
 /// Let LAMMPS fit a shrink-wrapped box to the extent of the grains, without the grains.
 void VerletGpudem::shrinkWrap(const gpudem::Extent &extent)
 {
+  if (atom->nlocal == 0) {
+    domain->reset_box();
+    return;
+  }
   double kept[2][3];
   const int nlocal = atom->nlocal;
   for (int k = 0; k < 2; ++k)
@@ -49,29 +60,55 @@ void VerletGpudem::shrinkWrap(const gpudem::Extent &extent)
     for (int d = 0; d < 3; ++d) atom->x[k][d] = kept[k][d];
 }
 
-bool VerletGpudem::lostThrough(const gpudem::Extent &extent) const
+/// Must LAMMPS decide about a grain that left the box, or one far from its rank's sub-domain? The same on all ranks.
+bool VerletGpudem::mustHandOn(const gpudem::Extent &extent) const
 {
-  for (int d = 0; d < 3; ++d)
-    if (!domain->periodicity[d] && (extent.lo[d] < domain->boxlo[d] || extent.hi[d] >= domain->boxhi[d])) return true;
-  return false;
+  int must = 0;
+  const bool several = comm->nprocs > 1;
+  const double limit = several ? state.strayLimit(plan) : 0.0;
+  for (int d = 0; d < 3 && atom->nlocal > 0; ++d) {
+    if (!domain->periodicity[d] && (extent.lo[d] < domain->boxlo[d] || extent.hi[d] >= domain->boxhi[d])) must = 1;
+    if (several && (domain->sublo[d] - extent.lo[d] > limit || extent.hi[d] - domain->subhi[d] > limit)) must = 1;
+  }
+  if (several) MPI_Allreduce(MPI_IN_PLACE, &must, 1, MPI_INT, MPI_MAX, world);
+  return must != 0;
 }
 
-/// Rebuild rows on the device; through the host if a grain left the box and LAMMPS must decide about it.
+/// LAMMPS' exchange reaches ranks that touch. Grains farther away than the thinnest sub-domain is wide go first.
+void VerletGpudem::handOnFarGrains()
+{
+  if (comm->nprocs == 1) return;
+  double farthest = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i)
+    for (int d = 0; d < domain->dimension; ++d) {
+      const double width = domain->subhi[d] - domain->sublo[d];
+      double away = atom->x[i][d] - 0.5 * (domain->subhi[d] + domain->sublo[d]);
+      if (domain->periodicity[d]) away -= domain->prd[d] * std::floor(away / domain->prd[d] + 0.5);
+      farthest = std::max(farthest, std::fabs(away) - 0.5 * width);
+    }
+  int skips = farthest > 0.9 * state.noteSubDomains();
+  MPI_Allreduce(MPI_IN_PLACE, &skips, 1, MPI_INT, MPI_MAX, world);
+  if (!skips) return;
+  if (!irregular) irregular = std::make_unique<Irregular>(lmp);
+  irregular->migrate_atoms(1);
+}
+
+/// Rebuild rows on the device; through the host if a grain left the box, or its rank, and LAMMPS must decide about it.
 void VerletGpudem::rebuildRows()
 {
   if (plan.hostRebuilds) {
     rebuildThroughHost();
     return;
   }
-  if (domain->nonperiodic && atom->nlocal > 0) {
+  if (comm->nprocs > 1 || (domain->nonperiodic && atom->nlocal > 0)) {
     const gpudem::Extent extent = state.engine().extent(state.box());
     if (domain->nonperiodic == 2) shrinkWrap(extent);
-    if (lostThrough(extent)) {
+    if (mustHandOn(extent)) {
       rebuildThroughHost();
       return;
     }
   }
-  state.engine().rebuild(state.box());
+  state.rebuild();
   state.deviceMoved(gpudem::fieldPosition | gpudem::fieldImage);
   rebuildInterval = std::max<int>(1, static_cast<int>(update->ntimestep - lastRebuild));
   lastRebuild = update->ntimestep;
@@ -82,6 +119,7 @@ void VerletGpudem::rebuildRows()
 /// LAMMPS' own reneighbouring with all its hooks: insertion, deletion, lost atoms.
 void VerletGpudem::rebuildThroughHost()
 {
+  ++handOvers;
   state.deviceMoved();
   state.contactsMoved();
   state.downloadAll(plan);
@@ -90,12 +128,13 @@ void VerletGpudem::rebuildThroughHost()
   domain->reset_box();
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
+  handOnFarGrains();
   comm->exchange();
-  if (atom->map_style != Atom::MAP_NONE || plan.hostRebuilds) comm->borders();
+  if (atom->map_style != Atom::MAP_NONE || plan.hostRebuilds || plan.hostGhosts) comm->borders();
   modify->pre_neighbor();
   if (plan.hostRebuilds) modify->post_neighbor();
-  state.uploadAll(plan);
-  state.engine().rebuild(state.box());
+  state.uploadAll(plan, FixNeighHistoryGpudem::Source::Device);
+  state.rebuild();
   rebuildInterval = std::max<int>(4, static_cast<int>(update->ntimestep - lastRebuild));
   lastRebuild = update->ntimestep;
   ++neighbor->ncalls;

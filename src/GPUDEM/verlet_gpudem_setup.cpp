@@ -70,6 +70,35 @@ void VerletGpudem::leaveResident()
   onDevice = false;
 }
 
+/// "  ranks     : 4, 2 for each GPU, which take turns; ghosts by MPI through host memory"
+std::string VerletGpudem::describeRanks() const
+{
+  const MpiRankExchange *ranks = state.ranks();
+  if (!ranks) return "";
+  const int gpus = plan.possible && state.onGpu() ? gpudem::gpuCount() : 0, here = ranks->ranksOnHost();
+  std::string sharing;
+  if (gpus > 0)
+    sharing = here > gpus ? fmt::format(", {} on {} GPU{}: ranks of a GPU take turns, one rank for each is faster",
+                                        here, gpus, gpus > 1 ? "s" : "")
+                          : ", a GPU for each";
+  return fmt::format("  ranks     : {}{}; ghosts by {}\n", ranks->ranks(), sharing, ranks->name());
+}
+
+/// "GPUDEM ranks: grains handed on at 3 of 40 rebuilds; ghosts of a rank at the end 190 to 214, partners at most 2"
+void VerletGpudem::printGhosts()
+{
+  if (!state.ranks() || !gpudemSettings(lmp).verbose) return;
+  const gpudem::NeighborReport report = state.engine().neighbors();
+  double values[3] = {-static_cast<double>(report.ghosts), static_cast<double>(report.ghosts),
+                      static_cast<double>(report.partners)};
+  MPI_Allreduce(MPI_IN_PLACE, values, 3, MPI_DOUBLE, MPI_MAX, world);
+  if (comm->me == 0)
+    utils::logmesg(lmp,
+                   "GPUDEM ranks: grains handed on at {} of {} rebuilds; ghosts of a rank at the end {} to {}, "
+                   "partners at most {}\n",
+                   handOvers, neighbor->ncalls, -values[0], values[1], values[2]);
+}
+
 void VerletGpudem::printPlan()
 {
   if (comm->me != 0 || !gpudemSettings(lmp).verbose) return;
@@ -83,6 +112,7 @@ void VerletGpudem::printPlan()
         state.engine().deviceName(), state.engine().precision() == gpudem::Precision::Double ? "double" : "mixed",
         gpudem::coordinateBits(plan.scene, state.engine().precision()), describeLaws(plan.scene), plan.walls.size(),
         plan.scene.terms.size() - plan.walls.size(), plan.scene.integrators.size());
+    block += describeRanks();
     std::string skipped;
     for (const std::string &s : plan.skipped) skipped += (skipped.empty() ? "" : "; ") + s;
     block += fmt::format("  skipped   : {}\n", skipped.empty() ? "nothing" : skipped);
@@ -116,7 +146,7 @@ void VerletGpudem::setup(int flag)
     try {
       state.prepareEngine();
     } catch (const gpudem::Error &e) {
-      error->all(FLERR, "GPUDEM: {}", e.what());
+      fail(e);
     }
   }
   printPlan();
@@ -127,7 +157,7 @@ void VerletGpudem::setup(int flag)
   try {
     setupResident(flag);
   } catch (const gpudem::Error &e) {
-    error->all(FLERR, "GPUDEM: {}", e.what());
+    fail(e);
   }
 }
 
@@ -159,18 +189,20 @@ void VerletGpudem::setupResident(int flag)
   domain->reset_box();
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
+  handOnFarGrains();
   comm->exchange();
   if (atom->sortfreq > 0) atom->sort();
-  if (atom->map_style != Atom::MAP_NONE || plan.hostLists) comm->borders();
+  if (atom->map_style != Atom::MAP_NONE || plan.hostLists || plan.hostGhosts) comm->borders();
   domain->image_check();
   domain->box_too_small_check();
   modify->setup_pre_neighbor();
   modify->setup_post_neighbor();
   neighbor->ncalls = neighbor->ndanger = 0;
+  handOvers = 0;
 
   for (Fix *fix : plan.groups) fix->setup(0);  // before the force asks who belongs to them
-  state.uploadAll(plan);
-  state.engine().rebuild(state.box());
+  state.uploadAll(plan, FixNeighHistoryGpudem::Source::Elsewhere);
+  state.rebuild();
   printLevels();
   rowsDue = false;
   lastRebuild = update->ntimestep;
@@ -178,7 +210,7 @@ void VerletGpudem::setupResident(int flag)
   force->setup();
   ev_set(update->ntimestep);
   if (modify->n_pre_force) state.hostSection([&] { modify->setup_pre_force(vflag); });
-  if (state.toDevice()) state.engine().rebuild(state.box());
+  if (state.toDevice()) state.rebuild();
   gpudem::Recording record;
   record.virial = vflag % 4 != 0;
   state.engine().evaluateForce(inputs(update->ntimestep), record);

@@ -16,38 +16,47 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// granular file.gran GRAIN WALL
-gpudem::ContactModel readMaterials(LAMMPS *lmp, int narg, char **arg)
+/// file.gran GRAIN WALL
+gpudem::ContactModel readMaterials(LAMMPS *lmp, const std::string &command, int narg, char **arg, int first)
 {
-  if (narg < 7)
-    lmp->error->all(FLERR, "Fix wall/gran: after {} the materials of the grains and of the wall are missing", arg[4]);
-  const MaterialFile file(lmp, "Fix wall/gran", arg[4]);
-  const gpudem::ContactModel model = file.model(arg[5], arg[6], gpudem::Partner::Wall);
-  utils::logmesg(lmp, "  {} at a wall of {}: {}\n", arg[5], arg[6], granularWords(model));
+  if (narg < first + 3)
+    lmp->error->all(FLERR, "{}: after {} the materials of the grains and of the wall are missing", command, arg[first]);
+  const MaterialFile file(lmp, command, arg[first]);
+  const gpudem::ContactModel model = file.model(arg[first + 1], arg[first + 2], gpudem::Partner::Wall);
+  utils::logmesg(lmp, "  {} at a wall of {}: {}\n", arg[first + 1], arg[first + 2], granularWords(model));
   return model;
 }
 
 }  // namespace
 
+WallLaw LAMMPS_NS::readWallLaw(LAMMPS *lmp, const std::string &command, int narg, char **arg, int first,
+                               const std::vector<std::string> &stop)
+{
+  WallLaw law;
+  if (first < narg && MaterialFile::isName(arg[first])) {
+    law.model = readMaterials(lmp, command, narg, arg, first);
+    law.next = first + 3;
+  } else {
+    GranularWords words;
+    law.next = readGranularWords(lmp, command, narg, arg, first, stop, words);
+    law.model = words.model;
+  }
+  if (law.model.slipLever == 0.0) law.model.lever = 0.0;  // LAMMPS' torque arm at walls is the radius
+  law.stockKnows = stockNumbers(law.model).known;
+  if (gpudemSettings(lmp).conventions == "lammps" && law.stockKnows) law.model = stockWallModel(law.model);
+  return law;
+}
+
 WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg) : words_(arg, arg + narg)
 {
   if (narg > 4 && strcmp(arg[3], "granular") == 0) {
-    static const std::vector<std::string> stop{"xplane", "yplane", "zplane", "zcylinder", "region"};
-    GranularWords words;
-    int next;
-    if (MaterialFile::isName(arg[4])) {
-      words.model = readMaterials(lmp, narg, arg);
-      next = 7;
-    } else {
-      next = readGranularWords(lmp, "Fix wall/gran", narg, arg, 4, stop, words);
-    }
-    if (words.model.slipLever == 0.0) words.model.lever = 0.0;  // LAMMPS' torque arm at walls is the radius
-    stockKnows = stockNumbers(words.model).known;
-    const bool asStock = gpudemSettings(lmp).conventions == "lammps" && stockKnows;
-    model = asStock ? stockWallModel(words.model) : words.model;
+    const WallLaw law =
+        readWallLaw(lmp, "Fix wall/gran", narg, arg, 4, {"xplane", "yplane", "zplane", "zcylinder", "region"});
+    stockKnows = law.stockKnows;
+    model = law.model;
     words_.resize(4);
     for (const std::string &w : stockWallWords(*model)) words_.push_back(w);
-    words_.insert(words_.end(), arg + next, arg + narg);
+    words_.insert(words_.end(), arg + law.next, arg + narg);
   }
   for (std::string &w : words_) pointers_.push_back(&w[0]);
 }

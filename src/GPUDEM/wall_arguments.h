@@ -13,6 +13,16 @@
 namespace LAMMPS_NS {
 class LAMMPS;
 
+/// A law that follows FSTYLE granular.
+struct WallLaw {
+  gpudem::ContactModel model;  ///< under the conventions in force
+  bool stockKnows = true;      ///< LAMMPS has all of its sub-models
+  int next = 0;                ///< index of the first word behind it
+};
+/// Read it from arg[first] on, up to a word of \p stop. \param command begins the messages, which end the run
+WallLaw readWallLaw(LAMMPS *lmp, const std::string &command, int narg, char **arg, int first,
+                    const std::vector<std::string> &stop);
+
 /// Read before the stock constructor, which does not know all sub-models. FSTYLE other than granular passes unchanged.
 class WallArguments {
  public:

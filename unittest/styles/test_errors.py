@@ -198,14 +198,6 @@ class StillRuns(StylesTest):
         text = scenes.scene(steps=100)
         self.falls_back(text, "twice the interaction range", files=[("cloud.data", scenes.cloud(cells=(2, 8, 8)))])
 
-    def test_two_ranks(self):
-        files = [("cloud.data", scenes.cloud())]
-        text = scenes.scene(steps=100)
-        stock = self.run_lammps(text, files)
-        ours = self.run_lammps(text, files, gpudem="double", ranks=2)
-        self.assertIn("several MPI ranks", ours.everything)
-        compare_dumps(self, stock.dump(), ours.dump(), DOUBLE, scenes.DIAMETER)
-
     def test_ghost_velocities_not_asked_for(self):
         text = scenes.scene(steps=100)
         files = [("cloud.data", scenes.cloud())]

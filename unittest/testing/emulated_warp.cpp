@@ -79,7 +79,7 @@ class Warp {
 
 Warp &warp()
 {
-  static Warp only;
+  static thread_local Warp only;  // ranks are threads in tests
   return only;
 }
 

@@ -31,6 +31,12 @@ inline Tolerance alongThePath(Precision p, double magnitude, double hundredSteps
   return {std::pow(10.0, hundredSteps) * operations * (p == Precision::Double ? 1e-14 : 2e-7), magnitude};
 }
 
+/// A sum of weights, each of which balancing rounds to about a thousandth of the mean one.
+inline Tolerance weightRounding(double magnitude)
+{
+  return {1e-3, magnitude};
+}
+
 inline ::testing::AssertionResult near(double a, double b, const Tolerance &t)
 {
   if (std::abs(a - b) <= t.absolute()) return ::testing::AssertionSuccess();

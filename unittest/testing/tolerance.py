@@ -79,20 +79,69 @@ STOCK_DEFECT = 2e-3
 
 
 @dataclass(frozen=True)
+class Bound:
+    """Relative error that a case with a known answer may have, and why."""
+    relative: float
+    reason: str
+
+
+SAME = Bound(1e-6, "nothing acts: single precision in mixed, no error in double")
+FREE_FLIGHT = Bound(2e-5, "single precision velocities, rounded without bias, over 10^5 steps")
+FIRST_ORDER = Bound(1e-3, "the scheme is of first order in a dashpot and in where a contact begins and ends: 1/2000 of a collision")
+LINEAR_RESPONSE = Bound(1e-3, "first order of the dashpot's velocity, half a step behind: 1/2000 of a period")
+SLIDING = Bound(5e-4, "the impulse of the contact to a part of its 4000 steps")
+SPRING = Bound(1e-3, "a contact of 4000 steps against the same law at 1/20 000; sliding begins and ends at whole steps")
+SLIP_TO_ROLL = Bound(2e-4, "hard-sphere motion: the tangential spring stretches by mu m g/kt before the sphere slides or rolls")
+DECAY = Bound(1e-3, "the rolling spring stretches first; measured after that")
+DRAG = Bound(1e-4, "drag of the velocity half a step ago, 1/10 000 of the time constant")
+PULL = Bound(1e-3, "single precision overlap near the largest pull; separation in steps of 1/400 of the gap")
+BOUNCES = Bound(5e-3, "as above with 1/500 of a collision, twice for a height, three bounces")
+HARD_SPHERE = Bound(2e-2, "hard-sphere limit: gravity acts during the contact, g tc/v")
+ENERGY_GAIN = Bound(1e-4, "energy must not grow: the error of 4000 steps a collision")
+STOCK_KNOWN = Bound(2e-3, "what stock LAMMPS returns instead, known to three digits")
+
+
+def closed_system(code, steps, grains):
+    """Bound of the momentum of a closed system relative to the sum of all magnitudes.
+
+    Double: sums of round-off. Mixed: each velocity is rounded without bias to 6e-8 of itself at every step, so the errors add
+    as a random walk over steps and grains: 6e-8 sqrt(steps/grains), three times that for safety and for fast grains."""
+    if code == "mixed":
+        return Bound(2e-7 * (steps / grains) ** 0.5, "random walk of single precision rounding: 2e-7 sqrt(steps/grains)")
+    return Bound(1e-13, "sums of round-off in double precision")
+
+
+@dataclass(frozen=True)
 class ChungOoi:
-    """Relative errors of a collision of 4000 time steps (2000 where every step is read) against its closed form."""
-    peak: float = 1e-4
-    duration: float = 1e-3      # known to one step on either side
-    rebound: float = 3e-4       # measured 1e-5 to 1e-4 (damping at the first and last step); mixed the same
-    sliding: float = 5e-4
-    sticking: float = 5e-3      # the reference is that of two codes, which differ by this much
-    psi_sliding: float = 8e-3   # psi is a small difference of large numbers; the codes have 4e-3
-    psi_sticking: float = 8e-2  # Maw's continuum solution, which a Mindlin spring approaches to a few per cent
-    tail: float = 1e-2
-    exact: float = 1e-6         # mixed: single precision
+    """Collisions of 4000 time steps (2000 where every step is read) against their closed form."""
+    peak: Bound = Bound(1e-4, "the peak lies between two of 2000 steps")
+    duration: Bound = Bound(1e-3, "known to one step on either side")
+    rebound: Bound = Bound(3e-4, "damping at the first and last step; 1e-5 to 1e-4 are seen")
+    sliding: Bound = Bound(5e-4, "the impulse of the contact to a part of its 4000 steps")
+    sticking: Bound = Bound(5e-3, "the reference is that of two codes, which differ by this much")
+    psi_sliding: Bound = Bound(8e-3, "psi is a small difference of large numbers; the codes have 4e-3")
+    psi_sticking: Bound = Bound(8e-2, "Maw's continuum, which a Mindlin spring approaches to a few per cent")
+    tail: Bound = Bound(1e-2, "the reference is that of two codes, to three digits")
+    exact: Bound = Bound(1e-6, "nothing acts; mixed: single precision")
 
 
 CHUNG_OOI = ChungOoi()
 
 # relative, double: 500 steps of dense powder after a restart file, as far as the log prints digits
 CONTINUED_STROKE = 1e-6
+# Weight of a bed at rest read from the wall (relative): double rests to round-off; mixed sums forces of single precision.
+WALL_WEIGHT = {"host": 1e-9, "double": 1e-9, "mixed": 1e-6}
+# Sums over contacts against the same sums over the dumped grains: order of summation; single precision.
+WALL_SUMS = {"host": 1e-12, "double": 1e-12, "mixed": 1e-6}
+# A grain on a plane of facets against a plane, mixed: 2e4 steps in single precision, a tenth of a turn at most.
+ROLLING_MIXED = 1e-4
+# A servo at rest: what a single-precision overlap of 1e-3 leaves, and the tail of its approach.
+SERVO = 1e-4
+# A drum of facets against a round one (position, diameters): the sagitta, of second order in the facet's length.
+DRUM_FACETS = 0.02
+# Slices are refined to an imbalance of 1.01 at most, or to single grains; grains then move on until the next balancing.
+SLICE_IMBALANCE = 1.01
+PARTICLE_SHARE = 1.5        # grains: a position on a cut may round to the other side
+
+# Random scripts: 200 steps of dense, partly very fast grains; round-off grows by about ten per collision.
+FUZZ = _uniform(1e-7, "double: round-off amplified by several collisions")

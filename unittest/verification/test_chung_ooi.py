@@ -8,18 +8,13 @@ contact with itself. Stock LAMMPS gets other numbers where it is wrong (its fit 
 tangential stiffness of walls), so that all three answer the same question.
 """
 import math
-import os
-import pathlib
-import sys
 import unittest
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "styles"))
-from lammps import StylesTest  # noqa: E402
-from tolerance import CHUNG_OOI  # noqa: E402
+from verification import CODES, GPA, Sphere, Verification, hertz_mindlin, hertz_time, scene
+from tolerance import CHUNG_OOI
 
-GPA = 1.0e9
 MATERIAL = {   # E (Pa), nu, density (kg/m^3)
     "glass": (48 * GPA, 0.20, 2800.0), "limestone": (20 * GPA, 0.25, 2500.0),
     "aluminium": (70 * GPA, 0.30, 2699.0), "magnesium": (40 * GPA, 0.35, 1800.0),
@@ -27,85 +22,40 @@ MATERIAL = {   # E (Pa), nu, density (kg/m^3)
     "aluminium alloy": (70 * GPA, 0.33, 2700.0), "copper": (120 * GPA, 0.35, 8900.0), "nylon": (2.5 * GPA, 0.40, 1000.0),
     "steel": (208 * GPA, 0.30, 7850.0), "polyethylene": (1 * GPA, 0.40, 1400.0),
 }
-CODES = (None, "double", "mixed")
 
 
-def stock_tsuji_argument(e):
-    """Argument for which stock's fit of damping tsuji gives the dashpot sqrt(5) beta of restitution e."""
-    alpha = -math.sqrt(5.0) * math.log(e) / math.hypot(math.pi, math.log(e))
-    low, high = -1.0, 1.01   # the fit is 3e-4 at 1, and 0 a little later
-    for _ in range(200):
-        c = 0.5 * (low + high)
-        fit = 1.2728 + c * (-4.2783 + c * (11.087 + c * (-22.348 + c * (27.467 + c * (-18.022 + c * 4.8218)))))
-        low, high = (c, high) if fit > alpha else (low, c)
-    return 0.5 * (low + high)
-
-
-def law(code, young, nu, e, mu, wall):
-    """Words of the contact law; of a rigid wall if wall is set."""
-    if wall:
-        young = 2.0 * young
-    damping = f"{e}" if code else f"{stock_tsuji_argument(e):.17g}"
-    words = "coeff_restitution" if code else "tsuji"
-    kt = "NULL"
-    if wall and not code:
-        kt = f"{8.0 * young / (4.0 * (2.0 - nu) * (1.0 + nu)):.17g}"
-        young = young / (1.0 - nu * nu) * (1.0 - nu)
-    return f"hertz/material {young:.17g} {damping} {nu} damping {words} tangential mindlin {kt} 0.0 {mu}"
-
-
-def collision_time(young, nu, radius, density, speed, wall):
-    """Hertz: 2.868 (m^2/(R E*^2 v))^(1/5)."""
-    mass = 4.0 / 3.0 * math.pi * radius ** 3 * density
+def effective(young, nu, radius, density, wall):
+    """E*, R* and m* of a sphere at a rigid plane, or of two equal spheres."""
+    mass = Sphere((0, 0, 0), radius, density).mass
     e_star = young / (1.0 - nu * nu) * (1.0 if wall else 0.5)
-    r, m = (radius, mass) if wall else (0.5 * radius, 0.5 * mass)
-    return 2.868265 * (m * m / (r * e_star * e_star * speed)) ** 0.2, e_star, r, m
+    return (e_star, radius, mass) if wall else (e_star, 0.5 * radius, 0.5 * mass)
 
 
-class ChungOoi(StylesTest):
+class ChungOoi(Verification):
     def collide(self, code, material, radius, velocity, spin=(0, 0, 0), e=1.0, mu=0.0, partner=None, per_collision=4000,
                 every_step=False):
         """A sphere meets a rigid plane at x = 0, or a partner (radius, density, velocity, spin) beyond it; relative speed
         along x is 'speed'. Returns rows of step, position, velocity, spin, force of the sphere, and the time step."""
         young, nu, density = MATERIAL[material]
         speed = abs(velocity[0]) + (abs(partner["velocity"][0]) if partner else 0.0)
-        tc, *_ = collision_time(young, nu, radius, density, speed, partner is None)
-        dt = tc / per_collision
+        e_star, r, m = effective(young, nu, radius, density, partner is None)
+        dt = hertz_time(m, r, e_star, speed) / per_collision
         gap = 0.5 * dt * speed      # contact begins within the first step
-        size = 4.0 * radius + (2.0 * partner["radius"] if partner else 0.0)
-        both = [dict(x=radius + gap, radius=radius, density=density, velocity=velocity, spin=spin)]
+        both = [Sphere((radius + gap, 0.0, 0.0), radius, density, (*velocity, 0.0), spin)]
         if partner:
-            both.append({"x": -partner["radius"], **partner})
-        text = ("units si\natom_style sphere\nboundary f f f\nnewton off\ncomm_modify vel yes\n"
-                f"region box block {-size} {size} {-size} {size} {-size} {size} units box\ncreate_box 1 box\n")
-        for k, s in enumerate(both, 1):
-            text += (f"create_atoms 1 single {s['x']:.17g} 0 0 units box\n"
-                     f"set atom {k} diameter {2 * s['radius']} density {s['density']}\n"
-                     f"set atom {k} vx {s['velocity'][0]} vy {s['velocity'][1]} vz 0.0\n"
-                     f"set atom {k} omega {s['spin'][0]} {s['spin'][1]} {s['spin'][2]}\n")
-        text += (f"pair_style granular\npair_coeff * * {law(code, young, nu, e, mu, False)}\n"
-                 f"neighbor {0.1 * radius} bin\ntimestep {dt:.17g}\nfix move all nve/sphere\n")
-        if not partner:
-            text += f"fix w all wall/gran granular {law(code, young, nu, e, mu, True)} xplane 0.0 NULL\n"
+            both.append(Sphere((-partner["radius"], 0.0, 0.0), partner["radius"], partner["density"],
+                               (*partner["velocity"], 0.0), partner["spin"]))
+        wall = "" if partner else f"fix w all wall/gran granular {hertz_mindlin(code, young, nu, e, mu, True)} xplane 0.0 NULL"
         steps = int(1.4 * per_collision)
-        text += (f"dump out all custom {1 if every_step else steps} dump.out id x y z vx vy vz omegax omegay omegaz fx fy fz\n"
-                 f"dump_modify out sort id format float %.17g\nrun {steps}\n")
-        run = self.run_lammps(text, gpudem=code)
-        if code:
-            self.assertResident(run)
-        return np.array([[step, *table[0, 1:]] for step, (_, table) in sorted(run.dump().items())]), dt
-
-    def check(self, code, what, measured, expected, tolerance):
-        error = abs(measured - expected) / abs(expected) if expected else abs(measured)
-        if os.environ.get("GPUDEM_TEST_REPORT"):
-            print(f"{self._testMethodName[5:]:38s} {code or 'stock':7s} {what:28s} measured {measured:14.7g} expected "
-                  f"{expected:14.7g} error {error:.1e}")
-        self.assertLessEqual(error, tolerance, f"{code or 'stock'} {what}: {measured} for {expected}")
+        rows, at = self.rows(scene(both, f"pair_style granular\npair_coeff * * {hertz_mindlin(code, young, nu, e, mu, False)}",
+                                   dt, steps, 1 if every_step else steps, fixes=wall, skin=0.1 * radius), code)
+        return np.column_stack([at, rows[:, 0]]), dt
 
     def elastic(self, material, radius, speed, wall):
         young, nu, density = MATERIAL[material]
-        tc, e_star, r, m = collision_time(young, nu, radius, density, speed if wall else 2.0 * speed, wall)
+        e_star, r, m = effective(young, nu, radius, density, wall)
         v = speed if wall else 2.0 * speed
+        tc = hertz_time(m, r, e_star, v)
         overlap = (15.0 * m * v * v / (16.0 * math.sqrt(r) * e_star)) ** 0.4
         force = 4.0 / 3.0 * e_star * math.sqrt(r) * overlap ** 1.5
         for code in CODES:

@@ -3,8 +3,11 @@
 /// \file The door of the library: particles in, steps, particles out. Free of CUDA and of LAMMPS.
 #pragma once
 
+#include "gpudem/body_motion.h"
 #include "gpudem/errors.h"
+#include "gpudem/rank_exchange.h"
 #include "gpudem/scene.h"
+#include "gpudem/surface_faces.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -61,11 +64,20 @@ struct PartMotion {
   double angularVelocity = 0;  ///< of the angle (radian/time)
 };
 
+/// What the grains do to a wall, sums over the contacts of the last event.
+struct WallSums {
+  Array3 force{};             ///< on the wall
+  Array3 torque{};            ///< on the wall, about the body's origin at its place
+  std::int64_t contacts = 0;  ///< that push or pull
+  std::vector<SurfaceTouch> touches;  ///< each of them, if the wall records touches
+};
+
 /// Values of the current step that a scene with moving parts changes.
 struct StepInputs {
   std::int64_t step = 0;                            ///< the step whose force is evaluated
   std::vector<Array3> termValue;                    ///< replaces ForceTerm::value where not empty
   std::vector<std::vector<PartMotion>> wallMotion;  ///< [walls][parts] of region walls; what is empty is at rest
+  std::vector<BodyMotion> bodyMotion;               ///< [walls] of surfaces; empty: all at rest
 };
 
 /// What an evaluation of the force at an event shall leave behind.
@@ -76,6 +88,7 @@ struct Recording {
 struct Observables {
   std::array<double, 6> virial{};  ///< xx yy zz xy xz yz, sum of branch x force over contacts (energy)
   std::vector<Array3> termForce;   ///< per force term: total force before the term acted
+  std::vector<WallSums> wall;      ///< [walls] of surfaces
 };
 
 /// Sums over the grains of a group; exact fixed order, so reproducible.
@@ -86,8 +99,14 @@ struct KineticSums {
   std::int64_t count = 0;
 };
 
+/// Where a rank's grains are, roughly. They may lie anywhere: it is only the place from which they are seen.
+struct Home {
+  Array3 middle{};           ///< of its sub-domain (distance)
+  bool commonMotion = true;  ///< grains that move together may leave it far behind before the next rebuild
+};
+
 struct Extent {
-  Array3 lo{}, hi{};
+  Array3 lo{}, hi{};         ///< with several ranks in periodic directions from the middle of the home (distance)
   std::int64_t outside = 0;  ///< grains outside a non-periodic box face
 };
 
@@ -108,9 +127,17 @@ struct NeighborReport {
   int longestRow = 0;
   std::int64_t cells = 0;
   std::vector<double> levelRadii;  ///< largest radius of each level of grains (distance); one level if empty
+  std::int64_t ghosts = 0;         ///< grains of other ranks that this one sees
+  std::int64_t sent = 0;           ///< grains sent in a step, once for each rank that sees them
+  int partners = 0;                ///< ranks to which and from which messages go in a step
 };
 
-/// The resident state and its advance. One instance per simulation; not thread-safe.
+/// The resident state and its advance. One instance per simulation and rank; not thread-safe.
+///
+/// With several ranks each engine holds the grains of its rank and ghosts of others within reach. setScene(), upload(),
+/// uploadFields(), rebuild() and all that advances steps are then collective: same calls, same order, same scene (the
+/// largest radius is that of all ranks). Steps stop, and rebuilds are asked for, on all ranks at once. What is summed
+/// or copied out is that of the rank's own grains.
 ///
 /// Phases. *At step*: x_n, v_n and f_n are known. *Mid step*: x_(n+1), v_(n+1/2) are known, the force is not.
 /// Every call throws gpudem::Error on failure and leaves no half-written host array.
@@ -122,6 +149,11 @@ class Engine {
   virtual Precision precision() const = 0;
   virtual MemoryReport memory() const = 0;
   virtual NeighborReport neighbors() const = 0;
+
+  /// Share the box with other ranks, from the next upload() on. \p exchange outlives the engine; null: one rank.
+  virtual void joinRanks(RankExchange *exchange) = 0;
+  /// Before the first rebuild() and whenever sub-domains have changed.
+  virtual void setHome(const Home &home) = 0;
 
   /// Constants of the run. Must be followed by upload() when walls, box or integrators changed.
   virtual void setScene(const SceneSpec &scene) = 0;

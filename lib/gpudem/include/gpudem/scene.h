@@ -6,10 +6,12 @@
 #pragma once
 
 #include "gpudem/contact_model.h"
+#include "gpudem/surface.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -67,9 +69,12 @@ constexpr int maxRegionParts = 16;
 /// Most contacts of one grain with one region wall.
 constexpr int maxRegionContacts = 16;
 
-enum class WallShape { Plane, Cylinder, Region };
+/// Most contacts of one grain with one surface of triangles.
+constexpr int maxSurfaceSlots = 16;
 
-/// One wall: a pair of planes normal to an axis, a cylinder around the z axis, or a region.
+enum class WallShape { Plane, Cylinder, Region, Surface };
+
+/// One wall: a pair of planes normal to an axis, a cylinder around the z axis, a region, or a surface of triangles.
 struct WallSpec {
   ContactLaw law;
   std::optional<ContactModel> model;  ///< takes the place of law if there is one
@@ -88,7 +93,10 @@ struct WallSpec {
   double shearSpeed = 0;           ///< (distance/time)
   bool recordContacts = false;     ///< keep the eight columns of LAMMPS' "contacts" output
   std::vector<RegionPart> region;  ///< Region: the whole first, members after their union or intersection
-  int mostContacts = 1;            ///< Region: contacts that one grain may have at a time
+  int mostContacts = 1;            ///< Region, Surface: contacts that one grain may have at a time
+  std::shared_ptr<const SurfaceMesh> surface;    ///< Surface: cleaned, in the frame of the body
+  SurfaceSide surfaceSide = SurfaceSide::Both;  ///< Surface: where the grains are
+  bool recordTouches = false;                   ///< Surface: hand out every contact at events
 };
 
 enum class ForceTermKind { Gravity, Viscous, SetForce, Freeze, Enforce2d, Wall, RegionWall };
@@ -99,7 +107,7 @@ struct ForceTerm {
   std::uint32_t groupMask = ~0u;
   Array3 value{};                    ///< gravity: acceleration; setforce: force
   std::array<bool, 3> prescribed{};  ///< setforce: which components are set
-  int wall = -1;                     ///< Wall, RegionWall: index into SceneSpec::walls
+  int wall = -1;                     ///< Wall, RegionWall: index into SceneSpec::walls (a surface is a RegionWall)
   bool record = false;               ///< sum the force that stood here before the term (fix vector)
   std::vector<double> dragPerType;   ///< viscous: gamma of types 1..n at [1..n] (force time/distance)
 };

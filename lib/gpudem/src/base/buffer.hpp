@@ -53,6 +53,7 @@ class Buffer {
   const T *data() const { return data_; }
   std::size_t capacity() const { return capacity_; }
   std::size_t bytes() const { return capacity_ * sizeof(T); }
+  const char *name() const { return name_; }
 
  private:
   T *data_ = nullptr;

@@ -21,6 +21,8 @@ class CpuExec {
   static constexpr bool onGpu = false;
   template <class T>
   using Array = Buffer<CpuExec, T>;
+  template <class T>
+  using HostArray = Array<T>;  ///< host memory from and to which copies are fast
 
   explicit CpuExec(int threads) : threads_(std::max(1, threads)) {}
 

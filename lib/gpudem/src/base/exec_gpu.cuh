@@ -40,11 +40,32 @@ __global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachWarpKer
   if (i - threadIdx.x % 32 < count) f(i, i < count, shared[threadIdx.x / 32]);
 }
 
+/// Host memory that stays where it is, so that the GPU copies from and to it without a detour.
+struct PinnedMemory {
+  static void *allocate(std::size_t bytes, const char *name)
+  {
+    void *p = nullptr;
+    const cudaError_t status = cudaMallocHost(&p, bytes);
+    if (status == cudaErrorMemoryAllocation) {
+      cudaGetLastError();
+      throw OutOfMemory(fmt::format("out of pinned host memory: array '{}' needs {} bytes", name, bytes));
+    }
+    check(status, name);
+    return p;
+  }
+  static void release(void *p) noexcept
+  {
+    if (p) cudaFreeHost(p);
+  }
+};
+
 class GpuExec {
  public:
   static constexpr bool onGpu = true;
   template <class T>
   using Array = Buffer<GpuExec, T>;
+  template <class T>
+  using HostArray = Buffer<PinnedMemory, T>;
 
   explicit GpuExec(int device)
   {

@@ -46,8 +46,22 @@ constexpr double widestFit = 10.0;  ///< largest effective radius at a region, i
 inline double wallPullOffGap(const WallSpec &wall, double largestRadius)
 {
   if (!wall.model) return 0.0;
-  const double fit = wall.shape == WallShape::Plane ? 1.0 : wall.shape == WallShape::Cylinder ? 2.0 : widestFit;
+  const bool flat = wall.shape == WallShape::Plane || wall.shape == WallShape::Surface;
+  const double fit = flat ? 1.0 : wall.shape == WallShape::Cylinder ? 2.0 : widestFit;
   return pullOffGap(*wall.model, fit * largestRadius);
+}
+
+/// How far a surface may move until the grains near it are looked for anew (distance).
+inline double surfaceRoom(const SceneSpec &scene)
+{
+  return scene.skin;
+}
+/// Gap within which a grain counts as near a surface: what the wall pulls across, what the surface may move, and what
+/// the grain may, half the skin and the common drift of all grains (distance).
+inline double surfaceMargin(const WallSpec &wall, const SceneSpec &scene)
+{
+  constexpr double grainSkins = 2.5;  // CommonDrift::room() is two skins at most
+  return wallPullOffGap(wall, scene.largestRadius) + grainSkins * scene.skin + surfaceRoom(scene);
 }
 
 /// Numbers that a wall keeps per contact, without the flag of adhesion.
@@ -60,10 +74,12 @@ inline int wallFlag(const WallSpec &wall)
 {
   return wall.model && reachesBeyondTouch(*wall.model) ? 1 : 0;
 }
-/// Numbers that a wall keeps per grain: those of its contact, or the slots of all contacts with a region.
+constexpr int directionNumbers = 3;  ///< of a contact with a surface: its unit vector, 0 where there is none
+/// Numbers that a wall keeps per grain: those of its contact, or the slots of all contacts with a region or a surface.
 inline int wallKeeps(const WallSpec &wall)
 {
   const int contact = wallFlag(wall) + wallLayout(wall).size;
+  if (wall.shape == WallShape::Surface) return wall.mostContacts * (directionNumbers + contact);
   if (wall.shape != WallShape::Region) return contact;
   return contact ? wall.mostContacts * (1 + contact) : 0;
 }

@@ -6,6 +6,7 @@
 #include "base/buffer.hpp"
 #include "contact/derive.hpp"
 #include "contact/scene_laws.hpp"
+#include "decomp/ghost_layer.hpp"
 #include "engine/transfer.hpp"
 #include "gpudem/engine.h"
 #include "neighbor/cross_levels.hpp"
@@ -23,6 +24,7 @@
 #include "step/region_step.hpp"
 #include "step/region_views.hpp"
 #include "step/scene_views.hpp"
+#include "step/surface_step.hpp"
 
 #include <fmt/format.h>
 
@@ -45,6 +47,8 @@ class EngineImpl final : public Engine {
   MemoryReport memory() const override;
   NeighborReport neighbors() const override { return report_; }
 
+  void joinRanks(RankExchange *exchange) override { layer_.join(exchange); }
+  void setHome(const Home &home) override { home_ = home; }
   void setScene(const SceneSpec &scene) override;
   void upload(const HostParticles &host, const Box &box, const ContactHistory *history) override;
   void uploadFields(const HostParticles &host, unsigned fields) override;
@@ -75,6 +79,26 @@ class EngineImpl final : public Engine {
   template <class T>
   using Array = typename Exec::template Array<T>;
 
+  /// Contacts of the last event with a wall that records touches.
+  struct Touches {
+    Array<std::uint32_t> at{"places of touches"};  ///< [n + 1] first of each grain
+    Array<SurfaceTouch> room{"room for touches"};
+    std::uint64_t total = 0;  ///< places in \c room
+  };
+
+  /// A wall of triangles, and what is known of its place. Empty for other walls.
+  struct SurfaceWall {
+    std::shared_ptr<const SurfaceMesh> mesh;
+    std::shared_ptr<const Surface> surface;
+    SurfaceSide side{};
+    Array<unsigned char> copy{"surface of a wall"};  ///< on a GPU
+    SurfaceView view{};
+    Vec3<double> lo{}, hi{};  ///< box of the mesh in the frame of the body (distance)
+    bool marked = false;      ///< the grains near it are known
+    BodyPose markedAt{};      ///< and were found here
+    Touches touches;
+  };
+
   /// Positions \p pos, whose lower bits in mixed precision belong to the motion \p mot.
   PositionArrays<P> positions(int pos, int mot)
   {
@@ -84,12 +108,13 @@ class EngineImpl final : public Engine {
   void setRoles();
   void resetStatus();
   void reserveParticles();
+  void importFields(const HostParticles &host, unsigned fields);
   std::size_t bytesPerGrain() const;
   template <class Work>
   void explainMemory(const Work &work);
   StepView<P> view(const StepInputs &in, std::int64_t coming);
   void runEvent(const StepInputs &in, const Recording &record, bool advance, bool finish);
-  void launchContacts(const StepView<P> &v, const StepInputs &in, StepMode mode);
+  void launchRegions(const StepView<P> &v, const StepInputs &in);
   template <StepMode mode>
   void launchContactsIn(const StepView<P> &v);
   template <class Law, StepMode mode>
@@ -101,12 +126,26 @@ class EngineImpl final : public Engine {
   WallView<Real> wallView(std::size_t w, std::int64_t step);
   void attachWalls(WallView<Real> *wall, std::int64_t step);
   bool isRegion(std::size_t w) const { return scene_.walls[w].shape == WallShape::Region; }
+  bool isSurface(std::size_t w) const { return scene_.walls[w].shape == WallShape::Surface; }
+  /// Walls with a launch of their own.
+  static bool isApart(const WallSpec &wall)
+  {
+    return wall.shape == WallShape::Region || wall.shape == WallShape::Surface;
+  }
+  void setSurfaces();
+  SurfaceAt surfaceAt(std::size_t w, const StepInputs &in);
+  SurfaceStep<P> surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
+  void markNearSurfaces(const StepView<P> &v, const StepInputs &in);
+  void sumSurfaces(const StepView<P> &v, const StepInputs &in);
+  void makeRoomForTouches(std::size_t w, SurfaceStep<P> &step);
+  void collectTouches(std::size_t w);
   RegionStep<P> regionStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
   void markNearRegions();
   void requireRows(const char *what) const;
   void checkStatus(const Status &status, std::int64_t step);
   void throwBroken(std::uint32_t particle, std::int64_t step);
   void throwCrowded(std::uint32_t particle, std::int64_t step);
+  void throwCrossed(std::uint32_t particle, std::int64_t step);
   void collectObservables(const Recording &record);
 
   void extractSprings();
@@ -119,6 +158,14 @@ class EngineImpl final : public Engine {
   void rebuildIn(const CellGrid &fresh);
   void buildTable();
   void setAnchors();
+  VelocityRange velocities();
+  void exchangeGrains();
+  template <class T>
+  void extend(Array<T> &a);
+  void followGhosts(const PositionArrays<P> &grains);
+  void stepAndFollowGhosts(const StepView<P> &v);
+  void finishGhosts(const PositionArrays<P> &grains);
+  Vec3<double> periods() const;
   template <class T>
   void permute(Array<T> &a, Array<T> &scratch);
   template <class T>
@@ -141,7 +188,13 @@ class EngineImpl final : public Engine {
   LevelGrid levels_{};              ///< cells to search in; grid_ where there is one level
   Frame frame_{};
   AnchorRule anchorRule_{};
-  std::uint32_t count_ = 0;
+  std::uint32_t count_ = 0;   ///< grains of this rank
+  std::uint32_t ghosts_ = 0;  ///< grains of others, behind them
+  GhostLayer<Exec, P> layer_;
+  Home home_;
+  const UnitList *part_ = nullptr;  ///< units that the launch at hand is for, null: all
+  bool stopAgreed_ = false, rebuildAgreed_ = false;  ///< alarms of any rank
+  float longestAgreed2_ = 0.0f;                      ///< longest squared step of any rank (distance^2)
 
   int posNow_ = 0, motNow_ = 0;  ///< which of the two buffers holds the current state
   int queued_ = 0;
@@ -164,7 +217,7 @@ class EngineImpl final : public Engine {
   Array<Vec3<Real>> force_{"forces"}, torque_{"torques"}, vecScratch_{"scratch (3)"};
   Array<Vec3<double>> origin_{"original positions"}, originScratch_{"original positions (2)"};
   Array<std::uint32_t> searchCell_{"cells of the levels"};
-  CellTable<Exec> cells_;
+  CellTable<Exec> cells_, ghostCells_;
   CrossLevels<Exec, P> cross_;
   Array<std::uint32_t> storeOffset_{"stored contacts"};
   Array<std::int32_t> storePartner_{"partners of stored contacts"};
@@ -179,7 +232,8 @@ class EngineImpl final : public Engine {
   std::vector<int> wallPlace_;                             ///< of planes and cylinders in a launch, -1 for regions
   std::vector<std::uint8_t> wallSweeps_;                   ///< a region that changes its place
   std::vector<Array<RegionShape>> regionShapes_;           ///< per wall, empty for planes and cylinders
-  std::vector<Array<Vec3<Real>>> regionLoad_;              ///< [n] forces, [n] torques of a region wall
+  std::vector<SurfaceWall> surfaces_;                      ///< per wall
+  std::vector<Array<Vec3<Real>>> regionLoad_;              ///< [n] forces, [n] torques of a region or surface
   std::vector<Array<Vec3<Real>>> termBefore_;
   std::vector<Array<Real>> wallHistory_, wallContacts_, drag_;
   Array<Real> blockScratch_{"scratch (4)"};
@@ -188,7 +242,9 @@ class EngineImpl final : public Engine {
 
 }  // namespace gpudem
 
+#include "engine/engine_ghosts.inl.hpp"
 #include "engine/engine_neighbors.inl.hpp"
 #include "engine/engine_regions.inl.hpp"
 #include "engine/engine_steps.inl.hpp"
+#include "engine/engine_surfaces.inl.hpp"
 #include "engine/engine_transfer.inl.hpp"

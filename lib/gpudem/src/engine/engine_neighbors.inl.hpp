@@ -19,10 +19,12 @@ Extent EngineImpl<Exec, P>::extent(const Box &box)
   e.lo = box.lo;
   e.hi = box.hi;
   if (!count_) return e;
+  const bool seen = layer_.joined();
   const double huge = std::numeric_limits<double>::max();
   const ExtentSum none{{huge, huge, huge}, {-huge, -huge, -huge}, 0};
-  const ExtentSum s = exec_.reduce(count_, GrainExtent<P>{positions(), cell_.data(), grid_, frame_, toBoxView(box)},
-                                   JoinExtents{}, none);
+  const ExtentSum s = exec_.reduce(
+      count_, GrainExtent<P>{positions(), cell_.data(), grid_, frame_, toBoxView(box), seen, toVec3(home_.middle)},
+      JoinExtents{}, none);
   for (int d = 0; d < 3; ++d) {
     e.lo[d] = s.lo[d];
     e.hi[d] = s.hi[d];
@@ -68,7 +70,7 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
   if (queued_) throw Error("a rebuild needs the queued steps to be flushed first");
   box_ = box;
   ++report_.rebuilds;
-  if (!count_) {
+  if (!count_ && !layer_.joined()) {
     drift_.forget();
     rowsValid_ = true;
     return;
@@ -85,7 +87,7 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
 
 /// Rows that wear out quickly get a wider skin than the script asks for: on a GPU a step looks at near entries only, but
 /// a rebuild of a small scene takes as long as ten steps. Results do not depend on the skin but for the order of sums;
-/// large scenes keep theirs, as memory counts there.
+/// large scenes keep theirs, as memory counts there, and so do several ranks, whose ghosts must reach alike.
 template <class Exec, class P>
 void EngineImpl<Exec, P>::adaptSkin(const Box &box)
 {
@@ -94,7 +96,7 @@ void EngineImpl<Exec, P>::adaptSkin(const Box &box)
   const int lasted = drift_.steps();
   const bool worn = wornOut_;
   wornOut_ = false;
-  if (!Exec::onGpu || !worn || count_ > mostGrains || (lasted >= few && lasted <= many)) return;
+  if (!Exec::onGpu || !worn || layer_.joined() || count_ > mostGrains || (lasted >= few && lasted <= many)) return;
   const double skin = lasted < few ? std::min(1.5 * skin_, 3.0 * scene_.skin) : std::max(skin_ / 1.5, scene_.skin);
   for (int d = 0; d < box.dimension; ++d)
     if (box.periodic[d] && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_, skin)) return;
@@ -116,6 +118,7 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
 {
   if (keepsContacts_ && !storeFresh_) extractSprings();
+  ghosts_ = 0;
 
   key_.reserve(count_);
   order_.reserve(count_);
@@ -155,10 +158,10 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
   }
   if (origin_.capacity()) permute(origin_, originScratch_);
 
-  const float huge = std::numeric_limits<float>::max();
-  drift_.start(exec_.reduce(count_, GrainVelocity<Real>{motion_[motNow_].data()}, JoinRanges{},
-                            VelocityRange{{huge, huge, huge}, {-huge, -huge, -huge}}),
-               scene_.timestep, skin_);
+  const VelocityRange range = velocities();
+  if (layer_.joined()) exchangeGrains();
+  if (home_.commonMotion) drift_.start(range, scene_.timestep, skin_);
+  else drift_.forget();
   buildTable();
   setAnchors();
 }
@@ -168,6 +171,7 @@ void EngineImpl<Exec, P>::buildTable()
 {
   BuildView<P> v{};
   v.count = count_;
+  v.ghosts = ghosts_;
   v.position = positions();
   v.mask = mask_.data();
   v.type = type_.data();
@@ -176,6 +180,10 @@ void EngineImpl<Exec, P>::buildTable()
   v.levels = levels_;
   const bool dense = CellTable<Exec>::isDense(levels_.cells(), count_);
   v.directory = cells_.build(exec_, v.cell, count_, levels_.cells(), dense);
+  if (ghosts_) {
+    const bool denseGhosts = CellTable<Exec>::isDense(levels_.cells(), ghosts_);
+    v.ghostDirectory = ghostCells_.build(exec_, v.cell + count_, ghosts_, levels_.cells(), denseGhosts);
+  }
   v.frame = frame_;
   v.skin = static_cast<float>(skin_);
   v.reachSlack = reachSlackOf(frame_) + static_cast<float>(pullOffGap_);
@@ -191,7 +199,7 @@ void EngineImpl<Exec, P>::buildTable()
 
   const ContactStore<Real> store{layout_.size, storeOffset_.data(), storePartner_.data(), storeSpring_.data()};
   table_.build(exec_, v, keepsContacts_, store, order_.data());
-  report_.entriesPerGrain = static_cast<double>(table_.entries()) / count_;
+  report_.entriesPerGrain = count_ ? static_cast<double>(table_.entries()) / count_ : 0.0;
   report_.cells = levels_.cells();
   report_.levelRadii.assign(levelRadii_.begin(), levelRadii_.end());
 }
@@ -209,7 +217,7 @@ void EngineImpl<Exec, P>::setAnchors()
   s.room = 0.5 * skin_ + drift_.room();
   attachWalls(s.wall, 0);
   for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
-    if (isRegion(w)) continue;
+    if (isApart(scene_.walls[w])) continue;
     const WallSpec &spec = scene_.walls[w];
     const int k = s.walls++;
     s.wall[k].lo = spec.lo;
@@ -222,6 +230,7 @@ void EngineImpl<Exec, P>::setAnchors()
   s.anchor = anchor_.data();
   exec_.forEach(count_, s);
   markNearRegions();
+  for (SurfaceWall &s : surfaces_) s.marked = false;
 }
 
 }  // namespace gpudem

@@ -7,7 +7,7 @@
 
 namespace gpudem {
 
-/// Trees of the regions, and the place of the other walls in a launch.
+/// Shapes of the regions, and the place of the other walls in a launch.
 template <class Exec, class P>
 void EngineImpl<Exec, P>::setRegions()
 {
@@ -19,10 +19,9 @@ void EngineImpl<Exec, P>::setRegions()
   for (const WallSpec &wall : scene_.walls) {
     regionShapes_.emplace_back("shapes of a region");
     regionLoad_.emplace_back("loads of a region wall");
-    const bool region = wall.shape == WallShape::Region;
-    wallPlace_.push_back(region ? -1 : plain++);
+    wallPlace_.push_back(isApart(wall) ? -1 : plain++);
     wallSweeps_.push_back(0);
-    if (!region) continue;
+    if (wall.shape != WallShape::Region) continue;
     if (wall.mostContacts < 1 || wall.mostContacts > maxRegionContacts)
       throw Error(fmt::format("a region wall of {} contacts per grain; 1 to {} are possible", wall.mostContacts,
                               maxRegionContacts));
@@ -99,8 +98,9 @@ void EngineImpl<Exec, P>::throwCrowded(std::uint32_t particle, std::int64_t step
   resetStatus();
   rowsValid_ = false;
   throw Error(
-      fmt::format("atom {} at step {} touches more faces of a region wall than one grain may: it is too large "
-                  "for the region, or deep in its surface",
+      fmt::format("atom {} at step {} touches more faces of a region wall, or more places of a surface, than one grain "
+                  "may: it is too large for the region, deep in the surface, or the facets of a hollow surface are small "
+                  "against the overlap (keyword max/contacts)",
                   tag, step));
 }
 

@@ -10,16 +10,18 @@ namespace gpudem {
 template <class Exec, class P>
 void EngineImpl<Exec, P>::resetStatus()
 {
-  const Status fresh{noLimit, noLimit, noParticle, 0u, noParticle};
+  const Status fresh{noLimit, noLimit, noParticle, 0u, noParticle, noParticle};
   exec_.copyIn(status_.data(), &fresh, 1);
+  stopAgreed_ = rebuildAgreed_ = false;
+  longestAgreed2_ = 0.0f;
 }
 
 template <class Exec, class P>
 void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
 {
   const auto plain = std::count_if(scene.walls.begin(), scene.walls.end(),
-                                   [](const WallSpec &wall) { return wall.shape != WallShape::Region; });
-  if (plain > maxWalls) throw Error(fmt::format("{} walls that are no regions, at most {}", plain, maxWalls));
+                                   [](const WallSpec &wall) { return !isApart(wall); });
+  if (plain > maxWalls) throw Error(fmt::format("{} planes and cylinders as walls, at most {}", plain, maxWalls));
   if (scene.walls.size() > maxTerms)
     throw Error(fmt::format("{} walls, but at most {} force terms", scene.walls.size(), maxTerms));
   if (scene.terms.size() > maxTerms)
@@ -43,6 +45,7 @@ void EngineImpl<Exec, P>::setScene(const SceneSpec &scene)
     wallSize_.push_back(wallHistorySize(wall));
   }
   setRegions();
+  setSurfaces();
   termBefore_.clear();
   drag_.clear();
   for (const ForceTerm &term : scene.terms) {
@@ -115,7 +118,7 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::attachWalls(WallView<Real> *wall, std::int64_t step)
 {
   for (std::size_t w = 0; w < scene_.walls.size(); ++w)
-    if (!isRegion(w)) wall[wallPlace_[w]] = wallView(w, step);
+    if (!isApart(scene_.walls[w])) wall[wallPlace_[w]] = wallView(w, step);
 }
 
 /// Give the grains the roles of the scene; a position keeps its lower bits if there is still room for them.
@@ -198,16 +201,24 @@ template <class Exec, class P>
 template <class Law, StepMode mode, WallUse walls>
 void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
 {
-  if constexpr (Exec::onGpu) exec_.forEachWarp(count_, WarpContacts<P, Law, mode, walls>{v});
-  else exec_.forEachChunk(chunksOf(count_, grainsPerChunk), ContactChunk<P, Law, mode, walls>{v, table_.view()});
+  if constexpr (Exec::onGpu) {
+    using Kernel = WarpContacts<P, Law, mode, walls>;
+    if constexpr (mode == StepMode::Fused)
+      if (part_) return exec_.forEachWarp(32 * part_->count, OnWarps<Kernel>{Kernel{v}, part_->unit, count_});
+    exec_.forEachWarp(count_, Kernel{v});
+  } else {
+    using Kernel = ContactChunk<P, Law, mode, walls>;
+    if (part_) return exec_.forEachChunk(part_->count, OnChunks<Kernel>{Kernel{v, table_.view()}, part_->unit});
+    exec_.forEachChunk(chunksOf(count_, grainsPerChunk), Kernel{v, table_.view()});
+  }
 }
 
 template <class Exec, class P>
 template <class Law, StepMode mode>
 void EngineImpl<Exec, P>::launchLaw(const StepView<P> &v)
 {
-  const auto isPlain = [](const WallSpec &wall) { return wall.shape != WallShape::Region; };
-  const auto hasModel = [](const WallSpec &wall) { return wall.shape != WallShape::Region && wall.model; };
+  const auto isPlain = [](const WallSpec &wall) { return !isApart(wall); };
+  const auto hasModel = [](const WallSpec &wall) { return !isApart(wall) && wall.model; };
   if (std::none_of(scene_.walls.begin(), scene_.walls.end(), isPlain))
     return launchLawAndWalls<Law, mode, WallUse::None>(v);
   // a product's kernel is large anyway: it holds all wall code
@@ -244,12 +255,13 @@ void EngineImpl<Exec, P>::launchContactsIn(const StepView<P> &v)
 }
 
 template <class Exec, class P>
-void EngineImpl<Exec, P>::launchContacts(const StepView<P> &v, const StepInputs &in, StepMode mode)
+void EngineImpl<Exec, P>::launchRegions(const StepView<P> &v, const StepInputs &in)
 {
-  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
+  markNearSurfaces(v, in);  // the bit that says near is the same for all walls of their own launch
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
     if (isRegion(w)) exec_.forEach(count_, regionStep(v, w, in));
-  if (mode == StepMode::Fused) launchContactsIn<StepMode::Fused>(v);
-  else launchContactsIn<StepMode::Event>(v);
+    if (isSurface(w)) exec_.forEach(count_, surfaceStep(v, w, in));
+  }
 }
 
 template <class Exec, class P>
@@ -279,16 +291,18 @@ void EngineImpl<Exec, P>::runEvent(const StepInputs &in, const Recording &record
     if (!scene_.walls[w].recordContacts) continue;
     wallContacts_[w].reserve(8 * static_cast<std::size_t>(count_));
     exec_.fill(wallContacts_[w].data(), 8 * static_cast<std::size_t>(count_), 0);
-    if (!isRegion(w)) v.wall[wallPlace_[w]].contacts = wallContacts_[w].data();
+    if (!isApart(scene_.walls[w])) v.wall[wallPlace_[w]].contacts = wallContacts_[w].data();
   }
   inner_.measured();
-  launchContacts(v, in, StepMode::Event);
+  launchRegions(v, in);
+  launchContactsIn<StepMode::Event>(v);
   motNow_ = 1 - motNow_;
   Status s;
   exec_.copyOut(&s, status_.data(), 1);
   checkStatus(s, in.step);
   forceValid_ = true;
   collectObservables(record);
+  sumSurfaces(v, in);
 }
 
 template <class Exec, class P>
@@ -312,6 +326,7 @@ void EngineImpl<Exec, P>::checkStatus(const Status &status, std::int64_t step)
 {
   if (status.badParticle != noParticle) throwBroken(status.badParticle, step);
   if (status.crowded != noParticle) throwCrowded(status.crowded, step);
+  if (status.crossed != noParticle) throwCrossed(status.crossed, step);
 }
 
 template <class Exec, class P>
@@ -363,13 +378,14 @@ void EngineImpl<Exec, P>::beginStep(const StepInputs &next)
   forceValid_ = false;
   queued_ = 0;
   queuedSteps_.assign(1, next.step);
+  if (layer_.joined()) followGhosts(positions());
 }
 
 template <class Exec, class P>
 void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
 {
   requireRows("a step");
-  if (drift_.spent()) return;
+  if (drift_.spent() || stopAgreed_) return;
   StepView<P> v = view(in, in.step + 1);
   const int from = queued_ & 1;
   v.in = positions(posNow_ ^ from, motNow_ ^ from);
@@ -379,7 +395,9 @@ void EngineImpl<Exec, P>::queueStep(const StepInputs &in)
   v.sequence = static_cast<std::uint32_t>(++queued_);
   v.refresh = inner_.due();
   if (v.refresh) inner_.measured();
-  launchContacts(v, in, StepMode::Fused);
+  launchRegions(v, in);
+  if (layer_.joined()) stepAndFollowGhosts(v);
+  else launchContactsIn<StepMode::Fused>(v);
   inner_.drifted();
   drift_.drifted(1);
   queuedSteps_.push_back(in.step);
@@ -391,9 +409,11 @@ Progress EngineImpl<Exec, P>::flush()
   Status s;
   exec_.copyOut(&s, status_.data(), 1);
   Progress p;
-  p.needsRebuild = s.rebuildAfter != noLimit;
-  const bool stopped = s.lastAllowed != noLimit;
-  p.executed = stopped ? std::min(queued_, static_cast<int>(s.lastAllowed)) : queued_;
+  const bool joined = layer_.joined();  // no rank queues beyond an alarm of any
+  p.needsRebuild = joined ? rebuildAgreed_ : s.rebuildAfter != noLimit;
+  const bool stopped = joined ? stopAgreed_ : s.lastAllowed != noLimit;
+  const float longestStep2 = joined ? longestAgreed2_ : floatOf(s.longestStep2);
+  p.executed = stopped && !joined ? std::min(queued_, static_cast<int>(s.lastAllowed)) : queued_;
   drift_.drifted(p.executed - queued_);
   p.needsRebuild = p.needsRebuild || drift_.spent();
   posNow_ ^= p.executed & 1;
@@ -408,9 +428,10 @@ Progress EngineImpl<Exec, P>::flush()
   }
   if (stopped) {
     inner_.forget();
+    for (SurfaceWall &s : surfaces_) s.marked = false;
     resetStatus();
   }
-  inner_.plan(floatOf(s.longestStep2));
+  inner_.plan(longestStep2);
   return p;
 }
 

@@ -26,8 +26,11 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   for (const auto *a : {&storeSpring_, &virial_}) add(*a);
   for (const auto &a : wallHistory_) add(a);
   for (const auto &a : regionLoad_) add(a);
+  for (const SurfaceWall &s : surfaces_) add(s.copy);
   add(models_);
   add(cells_);
+  add(ghostCells_);
+  add(layer_);
   add(cross_);
   add(storeSorter_);
   add(blockScratch_);
@@ -51,7 +54,7 @@ std::size_t EngineImpl<Exec, P>::bytesPerGrain() const
     b += static_cast<std::size_t>(entries * static_cast<double>(numbers)) + 6 * (numbers + sizeof(std::int32_t));
   }
   for (const int size : wallSize_) b += static_cast<std::size_t>(size) * sizeof(Real);
-  for (std::size_t w = 0; w < scene_.walls.size(); ++w) b += isRegion(w) ? 2 * sizeof(Vec3<Real>) : 0;
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) b += isApart(scene_.walls[w]) ? 2 * sizeof(Vec3<Real>) : 0;
   return b;
 }
 
@@ -92,7 +95,7 @@ void EngineImpl<Exec, P>::reserveParticles()
   force_.reserve(n);
   torque_.reserve(n);
   for (std::size_t w = 0; w < wallSize_.size(); ++w) {
-    if (isRegion(w)) regionLoad_[w].reserve(2 * n);
+    if (isApart(scene_.walls[w])) regionLoad_[w].reserve(2 * n);
     if (!wallSize_[w]) continue;
     wallHistory_[w].reserve(n * static_cast<std::size_t>(wallSize_[w]));
     exec_.fill(wallHistory_[w].data(), n * static_cast<std::size_t>(wallSize_[w]), 0);
@@ -121,6 +124,10 @@ template <class Exec, class P>
 SizeRange EngineImpl<Exec, P>::adoptSizes(const HostParticles &host)
 {
   const SizeRange sizes = sizeRange(host, scene_.largestRadius);
+  if (layer_.joined() && sizes.largest > scene_.largestRadius)  // other ranks would know nothing of it
+    throw Error(fmt::format("a radius grew to {:g}, beyond {:g}, the largest that was known when the run began: run on one "
+                            "rank, or begin with a grain of the final size",
+                            sizes.largest, scene_.largestRadius));
   scene_.largestRadius = sizes.largest;
   pullOffGap_ = largestPullOffGap(scene_);
   requireRoom(box_);
@@ -152,6 +159,7 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
 {
   if (host.count >= noParticle) throw Error(fmt::format("{} grains exceed the 32-bit index", host.count));
   count_ = 0;  // until all that may be refused is checked
+  ghosts_ = 0;
   box_ = box;
   rowsValid_ = false;
   queued_ = 0;
@@ -198,7 +206,16 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
   if (host.count != count_)
     throw Error(
         fmt::format("{} grains on the host, {} resident: the whole state must be uploaded", host.count, count_));
-  if (!count_) return;
+  if (fields & (fieldShape | fieldPosition | fieldMask)) rowsValid_ = false;
+  if (count_) importFields(host, fields);
+  // the next force may be that of this very position
+  if (layer_.joined() && rowsValid_ && (fields & (fieldVelocity | fieldSpin)))
+    followGhosts(positions());
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::importFields(const HostParticles &host, unsigned fields)
+{
   const std::uint32_t *index = hostIndex_.data();
   Motion<Real> *motion = motion_[motNow_].data();
   const auto vectors = [&](const double *p) { return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_); };
@@ -209,11 +226,9 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
     importShape(host);
     rowsValid_ = false;
   }
-  if ((fields & fieldPosition) && host.position) {
+  if ((fields & fieldPosition) && host.position)
     exec_.forEach(count_,
                   ImportPositions<P>{vectors(host.position), nullptr, index, grid_, frame_, positions(), cell_.data()});
-    rowsValid_ = false;
-  }
   if ((fields & fieldVelocity) && host.velocity)
     exec_.forEach(count_, ImportMotion<Real>{vectors(host.velocity), index, VectorField::Velocity, motion});
   if ((fields & fieldSpin) && host.spin)
@@ -226,7 +241,6 @@ void EngineImpl<Exec, P>::uploadFields(const HostParticles &host, unsigned field
     exec_.forEach(count_, ImportValues<int, std::uint32_t>{stageIn(host.mask, count_), index, mask_.data()});
     setRoles();
     exec_.forEach(count_, ImportValues<int, int>{stageIn(host.type, count_), index, type_.data()});
-    rowsValid_ = false;
   }
   if ((fields & fieldImage) && host.image)
     exec_.forEach(count_, ImportValues<int, int>{stageIn(host.image, count_), index, image_.data()});

@@ -57,6 +57,10 @@ void collectCandidates(const BuildView<P> &v, std::uint32_t cell, std::uint32_t 
     list.makeRoom(end - first);
     for (; first < end && first < begin; ++first) list.add(v.position.coarse[first], first);
     for (first = first > own ? first : own; first < end; ++first) list.add(v.position.coarse[first], first);
+    if (v.ghosts == 0) return;
+    v.ghostDirectory.grains(other, first, end);
+    list.makeRoom(end - first);
+    for (; first < end; ++first) list.add(v.position.coarse[v.count + first], v.count + first);
   });
 }
 

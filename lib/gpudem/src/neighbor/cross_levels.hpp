@@ -10,7 +10,8 @@
 
 namespace gpudem {
 
-/// Call visit(j) for every grain j of a coarser level within the coarse reach of grain i.
+/// Call visit(j) for every grain j of a coarser level within the coarse reach of grain i. Two ghosts are no pair: neither
+/// has a row.
 template <class P, class Visit>
 GPUDEM_HD void forEachCoarserNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
 {
@@ -23,15 +24,16 @@ GPUDEM_HD void forEachCoarserNeighbor(const BuildView<P> &v, std::uint32_t i, Vi
   for (int coarser = own + 1; coarser < v.levels.levels; ++coarser) {
     const float reach = coarserReach(v, own, coarser);
     forEachCoarserCell(v.levels, cell, coarser, static_cast<double>(reach), [&](std::uint32_t c) {
-      std::uint32_t j, end;
-      v.directory.grains(c, j, end);
-      for (; j < end; ++j) {
-        const CoarsePosition q = v.position.coarse[j];
-        const float near = (p.radius + q.radius) * 1.000001f + v.reachSlack + v.skin;
-        if (distance2(p, q, unit) >= near * near) continue;
-        if (anyExclusion && v.exclude.excluded(mask, v.mask[j], v.type[i], v.type[j])) continue;
-        visit(j);
-      }
+      forEachRange(v, c, [&](std::uint32_t j, std::uint32_t end) {
+        if (i >= v.count && j >= v.count) return;
+        for (; j < end; ++j) {
+          const CoarsePosition q = v.position.coarse[j];
+          const float near = (p.radius + q.radius) * 1.000001f + v.reachSlack + v.skin;
+          if (distance2(p, q, unit) >= near * near) continue;
+          if (anyExclusion && v.exclude.excluded(mask, v.mask[j], v.type[i], v.type[j])) continue;
+          visit(j);
+        }
+      });
     });
   }
 }
@@ -41,7 +43,7 @@ struct CountCoarser {
   static constexpr int blockSize = 128;
   static constexpr int minimumBlocks = 8;
   BuildView<P> v;
-  std::uint32_t *out;  ///< [n]
+  std::uint32_t *out;  ///< [n] grains and ghosts
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     std::uint32_t n = 0;
@@ -73,24 +75,24 @@ class CrossLevels {
   {
     CrossView c{};
     if (v.levels.levels < 2) return c;
-    const std::size_t n = v.count;
+    const std::uint32_t n = v.count + v.ghosts;
     first_.reserve(n);
     end_.reserve(n);
-    offset_.reserve(n + 1);
-    const std::uint32_t chunks = chunksOf(v.count, grainsPerChunk);
+    offset_.reserve(static_cast<std::size_t>(n) + 1);
+    const std::uint32_t chunks = chunksOf(n, grainsPerChunk);
     if constexpr (Exec::onGpu) {
-      exec.forEach(v.count, CountCoarser<P>{v, first_.data()});
+      exec.forEach(n, CountCoarser<P>{v, first_.data()});
     } else {
       found_.resize(chunks);
       exec.forEachChunk(chunks, FindCoarser<P>{v, first_.data(), found_.data()});
     }
-    const std::uint64_t pairs = exec.exclusiveScan(first_.data(), offset_.data(), v.count);
+    const std::uint64_t pairs = exec.exclusiveScan(first_.data(), offset_.data(), n);
     if (pairs >> 32) throw Error(fmt::format("{} pairs of grains of different levels exceed the 32-bit index", pairs));
     const auto m = static_cast<std::uint32_t>(pairs);
     for (auto *a : {&coarser_, &finer_, &sorted_, &order_}) a->reserveWithSlack(pairs);
-    if constexpr (Exec::onGpu) exec.forEach(v.count, ListCoarser<P>{v, offset_.data(), coarser_.data(), finer_.data()});
-    else exec.forEachChunk(chunks, JoinCoarser{v.count, found_.data(), offset_.data(), coarser_.data(), finer_.data()});
-    exec.sort(coarser_, sorted_, order_, m, v.count);
+    if constexpr (Exec::onGpu) exec.forEach(n, ListCoarser<P>{v, offset_.data(), coarser_.data(), finer_.data()});
+    else exec.forEachChunk(chunks, JoinCoarser{n, found_.data(), offset_.data(), coarser_.data(), finer_.data()});
+    exec.sort(coarser_, sorted_, order_, m, n);
     exec.fill(first_.data(), n, 0);
     exec.fill(end_.data(), n, 0);
     exec.forEach(m, CellRanges{sorted_.data(), m, first_.data(), end_.data()});

@@ -76,13 +76,14 @@ void collectCoarser(const BuildView<P> &v, std::uint32_t begin, std::uint32_t en
   const BlockBounds bounds = blockBounds(v, levels.grid[own], first, begin, end, coarserReach(v, own, levels.levels - 1));
   for (int coarser = own + 1; coarser < levels.levels; ++coarser)
     forEachCoarserCell(levels, own, first, 4, coarser, static_cast<double>(coarserReach(v, own, coarser)), [&](std::uint32_t c) {
-      std::uint32_t j, last;
-      v.directory.grains(c, j, last);
-      list.makeRoom(last - j);
-      for (; j < last; ++j) {
-        const CoarsePosition q = v.position.coarse[j];
-        if (bounds.meets(q, (levels.largest[own] + q.radius) * 1.00001f + v.reachSlack + v.skin)) list.add(q, j);
-      }
+      forEachRange(v, c, [&](std::uint32_t j, std::uint32_t last) {
+        if (begin >= v.count && j >= v.count) return;  // ghosts get no rows
+        list.makeRoom(last - j);
+        for (; j < last; ++j) {
+          const CoarsePosition q = v.position.coarse[j];
+          if (bounds.meets(q, (levels.largest[own] + q.radius) * 1.00001f + v.reachSlack + v.skin)) list.add(q, j);
+        }
+      });
     });
 }
 
@@ -90,7 +91,7 @@ void collectCoarser(const BuildView<P> &v, std::uint32_t begin, std::uint32_t en
 template <class P>
 struct FindCoarser {
   BuildView<P> v;
-  std::uint32_t *count;               ///< [n]
+  std::uint32_t *count;               ///< [n], ghosts included
   std::vector<std::uint32_t> *found;  ///< [chunks]
   void operator()(std::uint32_t chunk) const
   {
@@ -98,11 +99,12 @@ struct FindCoarser {
     std::vector<std::uint32_t> &out = found[chunk];
     out.clear();
     const bool anyExclusion = v.exclude.any();
-    const std::uint32_t begin = chunk * grainsPerChunk, end = std::min(v.count, begin + grainsPerChunk);
+    const std::uint32_t begin = chunk * grainsPerChunk, end = std::min(v.count + v.ghosts, begin + grainsPerChunk);
     std::uint32_t blockEnd = begin;
     for (std::uint32_t i = begin; i < end; ++i) {
       if (i == blockEnd) {
-        while (blockEnd < end && v.cell[blockEnd] >> 6 == v.cell[i] >> 6) ++blockEnd;
+        const std::uint32_t last = i < v.count ? std::min(end, v.count) : end;
+        while (blockEnd < last && v.cell[blockEnd] >> 6 == v.cell[i] >> 6) ++blockEnd;
         collectCoarser(v, i, blockEnd, candidates);
       }
       const std::size_t before = out.size(), near = findNear(v, i, candidates);
@@ -116,7 +118,7 @@ struct FindCoarser {
   }
 };
 struct JoinCoarser {
-  std::uint32_t grains;
+  std::uint32_t grains;  ///< ghosts included
   const std::vector<std::uint32_t> *found;
   const std::uint32_t *offset;  ///< [n+1]
   std::uint32_t *coarser, *finer;

@@ -14,6 +14,13 @@ struct BoxView {
   bool periodic[3];
 };
 
+/// \p distance the shorter way round.
+/// \param period of the axis, 0 if it has none
+GPUDEM_HD double shorterWay(double distance, double period)
+{
+  return period > 0.0 ? distance - period * floor(distance / period + 0.5) : distance;
+}
+
 /// LAMMPS' packed image flags, 10 bits each (imageint of 32 bits).
 GPUDEM_HD int shiftImage(int image, int d, int by)
 {
@@ -95,9 +102,13 @@ struct GrainExtent {
   CellGrid grid;
   Frame frame;
   BoxView box;
+  bool seen;            ///< coordinates of periodic directions are the nearest to the middle
+  Vec3<double> middle;  ///< (distance)
   GPUDEM_HD ExtentSum operator()(std::uint32_t i) const
   {
-    const Vec3<double> x = absolutePosition(loadPosition(position, i), cell[i], grid, frame);
+    Vec3<double> x = absolutePosition(loadPosition(position, i), cell[i], grid, frame);
+    for (int d = 0; d < 3; ++d)
+      if (seen && box.periodic[d]) x[d] = middle[d] + shorterWay(x[d] - middle[d], box.hi[d] - box.lo[d]);
     ExtentSum r{{x.x, x.y, x.z}, {x.x, x.y, x.z}, 0};
     for (int d = 0; d < 3; ++d)
       if (!box.periodic[d] && !(x[d] >= box.lo[d] && x[d] < box.hi[d])) r.outside = 1;
@@ -129,7 +140,16 @@ struct Gather {
   GPUDEM_HD void operator()(std::uint32_t i) const { out[i] = in[from[i]]; }
 };
 
-/// The same for blocks of \p size numbers per grain.
+template <class T>
+struct CopyValues {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  const T *in;
+  T *out;
+  GPUDEM_HD void operator()(std::uint32_t i) const { out[i] = in[i]; }
+};
+
+/// Gather for blocks of \p size numbers per grain.
 template <class T>
 struct GatherBlocks {
   static constexpr int blockSize = 256;

@@ -49,13 +49,15 @@ struct CrossView {
 template <class P>
 struct BuildView {
   using Real = typename P::Real;
-  std::uint32_t count;
+  std::uint32_t count;   ///< grains that get rows
+  std::uint32_t ghosts;  ///< grains of other ranks, behind them
   PositionArrays<P> position;
   const std::uint32_t *mask;  ///< [n] group bits
   const int *type;
   const std::int32_t *tag;
-  const std::uint32_t *cell;  ///< [n] sorted, numbered through the levels
+  const std::uint32_t *cell;  ///< [count], [ghosts] both sorted, numbered through the levels
   CellDirectory directory;
+  CellDirectory ghostDirectory;  ///< counts from the first ghost; not read if there is none
   LevelGrid levels;
   CrossView cross;
   Frame frame;
@@ -71,6 +73,18 @@ GPUDEM_HD float coarserReach(const BuildView<P> &v, int own, int coarser)
   return (v.levels.largest[own] + v.levels.largest[coarser]) * 1.00001f + v.reachSlack + v.skin;
 }
 
+/// Call range(from, to) for the grains of \p cell, then for the ghosts in it.
+template <class P, class Range>
+GPUDEM_HD void forEachRange(const BuildView<P> &v, std::uint32_t cell, Range &&range)
+{
+  std::uint32_t from, to;
+  v.directory.grains(cell, from, to);
+  range(from, to);
+  if (v.ghosts == 0) return;
+  v.ghostDirectory.grains(cell, from, to);
+  range(v.count + from, v.count + to);
+}
+
 /// Call visit(j, touches) for every grain j != i of any level that lies within the coarse reach; \p touches is wrong to
 /// the safe side only.
 template <class P, class Visit>
@@ -80,9 +94,7 @@ GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&v
   const std::uint32_t mask = v.mask[i];
   const Vec3<float> unit = v.frame.unit32.template as<float>();
   const bool anyExclusion = v.exclude.any();
-  forEachOwnCell(v.levels, v.cell[i], [&](std::uint32_t cell) {
-    std::uint32_t j, end;
-    v.directory.grains(cell, j, end);
+  const auto range = [&](std::uint32_t j, std::uint32_t end) {
     for (; j < end; ++j) {
       const CoarsePosition q = v.position.coarse[j];
       const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - q.x)) * unit.x;
@@ -94,7 +106,8 @@ GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&v
       if (anyExclusion && v.exclude.excluded(mask, v.mask[j], v.type[i], v.type[j])) continue;
       visit(j, distance2 < contact * contact);
     }
-  });
+  };
+  forEachOwnCell(v.levels, v.cell[i], [&](std::uint32_t cell) { forEachRange(v, cell, range); });
   if (!v.cross.offset) return;
   const auto listed = [&](const std::uint32_t *list, std::uint32_t from, std::uint32_t to) {
     for (; from < to; ++from) {

@@ -17,7 +17,8 @@ struct Status {
   std::uint32_t rebuildAfter;  ///< launch after which the rows must be built anew, or noLimit
   std::uint32_t badParticle;  ///< smallest device index with a broken state, noParticle if none
   std::uint32_t longestStep2;  ///< bits of the largest squared displacement in a step seen so far (float, distance^2)
-  std::uint32_t crowded;  ///< smallest device index with more contacts to a region than the wall keeps, or noParticle
+  std::uint32_t crowded;  ///< smallest device index with more contacts to a wall than the wall keeps, or noParticle
+  std::uint32_t crossed;  ///< smallest device index whose centre went through a sheet, or noParticle
 };
 constexpr std::uint32_t noParticle = 0xffffffffu;
 constexpr std::uint32_t noLimit = 0xffffffffu;

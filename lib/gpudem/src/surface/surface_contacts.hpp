@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file The contacts of a sphere with a surface of triangles.
+#pragma once
+
+#include "surface/contact_weights.hpp"
+#include "surface/surface_view.hpp"
+#include "surface/triangle_point.hpp"
+
+namespace gpudem {
+
+struct SurfaceContacts {
+  SurfaceContact contact[maxSurfaceContacts];  ///< deepest first
+  int count;
+  bool overflow;  ///< there were more minima than room; the deepest are kept
+};
+
+/// Key of a cell; 21 bits for each direction.
+GPUDEM_HD std::uint64_t cellKey(std::uint32_t x, std::uint32_t y, std::uint32_t z)
+{
+  return static_cast<std::uint64_t>(x) << 42 | static_cast<std::uint64_t>(y) << 21 | z;
+}
+GPUDEM_HD std::uint32_t cellHash(std::uint64_t key)
+{
+  key *= 0x9e3779b97f4a7c15ull;
+  return static_cast<std::uint32_t>(key >> 32);
+}
+constexpr std::uint64_t emptyCell = ~std::uint64_t{0};
+constexpr std::uint32_t noNode = ~std::uint32_t{0};
+constexpr double maxCells = 2097151.0;  // per direction
+
+/// Place in cellNodes of the nodes that hold all triangles within the surface's reach of \p x, or noNode.
+GPUDEM_HD std::uint32_t entryNodes(const SurfaceView &s, const Vec3<double> &x)
+{
+  const Vec3<double> at = (x - s.origin) * s.inverseCell;
+  if (!(at.x >= 0.0 && at.y >= 0.0 && at.z >= 0.0 && at.x < maxCells && at.y < maxCells && at.z < maxCells))
+    return noNode;
+  const std::uint64_t key = cellKey(static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y),
+                                    static_cast<std::uint32_t>(at.z));
+  for (std::uint32_t k = cellHash(key) & s.cellMask;; k = (k + 1) & s.cellMask) {
+    if (s.cellKey[k] == key) return s.cellEntry[k];
+    if (s.cellKey[k] == emptyCell) return noNode;
+  }
+}
+
+/// Is \p x within \p reach of the box?
+GPUDEM_HD bool withinReach(const TreeNode &n, const Vec3<float> &x, float reach2)
+{
+  float sum = 0.0f;
+  const float at[3] = {x.x, x.y, x.z};
+  GPUDEM_UNROLL
+  for (int d = 0; d < 3; ++d) {
+    const float below = n.lo[d] - at[d], above = at[d] - n.hi[d];
+    const float out = below > above ? below : above;
+    if (out > 0.0f) sum += out * out;
+  }
+  return sum <= reach2;
+}
+
+/// May a node whose box passed withinReach() hold a minimum of the distance from \p x?
+GPUDEM_HD bool mayHoldMinimum(const NormalCone &cone, const TreeNode &n, const Vec3<float> &x)
+{
+  if (cone.cosine == allNormals) return true;
+  const Vec3<float> branch{x.x - 0.5f * (n.lo[0] + n.hi[0]), x.y - 0.5f * (n.lo[1] + n.hi[1]),
+                           x.z - 0.5f * (n.lo[2] + n.hi[2])};
+  const Vec3<float> size{n.hi[0] - n.lo[0], n.hi[1] - n.lo[1], n.hi[2] - n.lo[2]};
+  const float half2 = 0.25f * dot(size, size), away2 = dot(branch, branch) - half2;
+  if (away2 <= 0.0f) return true;
+  // angle of branch and axis <= half angle of the cone + that of the box seen from x, times |branch|
+  const float along = branch.x * cone.axis[0] + branch.y * cone.axis[1] + branch.z * cone.axis[2];
+  const float needed = cone.cosine * squareRoot(away2) - cone.sine * squareRoot(half2);
+  return absolute(along) >= needed * 0.9999f - 1e-5f * squareRoot(away2);
+}
+
+/// Does the neighbour's corner \p v lie farther than the point at \p branch from the centre, that is, does the distance
+/// not fall on the way there? The tolerance finds the foot on a flat edge, which rounding may put beyond both faces.
+GPUDEM_HD bool risesTowards(const Vec3<double> &v, const Vec3<double> &branch)
+{
+  const Vec3<double> way = v + branch;  // v is relative to the centre
+  const double along = dot(branch, way);
+  return along <= 0.0 || along * along <= 1e-18 * dot(branch, branch) * dot(way, way);
+}
+
+/// Is the nearest point of triangle \p t a minimum of the distance among all points of the surface nearby?
+GPUDEM_HD bool isMinimum(const SurfaceView &s, const SurfaceTriangle &t, const TrianglePoint &p, const Vec3<double> &x)
+{
+  if (p.feature == Feature::Face) return true;
+  if (p.feature >= Feature::Corner0) {
+    const std::uint32_t v = t.corner[static_cast<int>(p.feature) - static_cast<int>(Feature::Corner0)];
+    for (std::uint32_t k = s.spokeStart[v]; k < s.spokeStart[v + 1]; ++k)
+      if (!risesTowards(s.vertex[s.spoke[k]] - x, p.branch)) return false;
+    return true;
+  }
+  const std::uint32_t across = t.across[static_cast<int>(p.feature) - static_cast<int>(Feature::Edge0)];
+  if (across == ownFace) return true;
+  if (!(across & manyFaces)) return risesTowards(s.vertex[across] - x, p.branch);
+  const std::uint32_t *fan = s.fan + (across & ~manyFaces);
+  for (std::uint32_t k = 1; k <= fan[0]; ++k)
+    if (!risesTowards(s.vertex[fan[k]] - x, p.branch)) return false;
+  return true;
+}
+
+/// Normal of the face, not of unit length.
+GPUDEM_HD Vec3<double> faceNormal(const SurfaceView &s, const SurfaceTriangle &t)
+{
+  const Vec3<double> a = s.vertex[t.corner[0]];
+  return cross(s.vertex[t.corner[1]] - a, s.vertex[t.corner[2]] - a);
+}
+
+/// Pseudonormal of a feature of triangle \p k.
+GPUDEM_HD Vec3<double> pseudonormal(const SurfaceView &s, std::uint32_t k, Feature feature)
+{
+  const SurfaceTriangle &t = s.triangle[k];
+  if (feature == Feature::Face) return faceNormal(s, t);
+  if (feature >= Feature::Corner0)
+    return s.vertexNormal[t.corner[static_cast<int>(feature) - static_cast<int>(Feature::Corner0)]].as<double>();
+  return s.edgeNormal[3 * k + static_cast<std::uint32_t>(feature) - static_cast<std::uint32_t>(Feature::Edge0)]
+      .as<double>();
+}
+
+/// Squared chord between directions that are the same up to rounding.
+constexpr double sameDirection2 = 1e-14;
+
+/// Minima found so far, deepest first.
+class MinimumList {
+ public:
+  GPUDEM_HD explicit MinimumList(SurfaceContacts &out) : out_(out)
+  {
+    out.count = 0;
+    out.overflow = false;
+  }
+  /// A minimum in the direction of one in the list is the same point, or hidden: the nearer stays.
+  GPUDEM_HD void add(const SurfaceContact &c)
+  {
+    for (int i = 0; i < out_.count; ++i) {
+      const Vec3<double> chord = out_.contact[i].normal - c.normal;
+      if (dot(chord, chord) > sameDirection2) continue;
+      const SurfaceContact &old = out_.contact[i];
+      if (c.distance > old.distance || (c.distance == old.distance && c.triangle >= old.triangle)) return;
+      for (int k = i; k + 1 < out_.count; ++k) out_.contact[k] = out_.contact[k + 1];
+      --out_.count;
+      break;
+    }
+    int at = out_.count;
+    while (at > 0 && before(c, out_.contact[at - 1])) --at;
+    if (out_.count == maxSurfaceContacts) {
+      out_.overflow = true;
+      if (at == maxSurfaceContacts) return;
+      --out_.count;
+    }
+    for (int k = out_.count; k > at; --k) out_.contact[k] = out_.contact[k - 1];
+    out_.contact[at] = c;
+    ++out_.count;
+  }
+
+ private:
+  GPUDEM_HD static bool before(const SurfaceContact &a, const SurfaceContact &b)
+  {
+    return a.distance < b.distance || (a.distance == b.distance && a.triangle < b.triangle);
+  }
+  SurfaceContacts &out_;
+};
+
+enum class Wanted { All, Minima };
+
+/// Calls visit(triangle number, nearest point, squared distance) for triangles within \p reach of \p x, until it
+/// returns false; for Minima it may leave out triangles that hold no minimum of the distance.
+template <Wanted wanted = Wanted::All, class Visit>
+GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double reach, const Visit &visit)
+{
+  const std::uint32_t entry = entryNodes(s, x);
+  if (entry == noNode) return;
+  const Vec3<float> coarse = x.as<float>();
+  // rounding of the coordinate: the boxes are rounded outward by as much
+  const float reach2 = static_cast<float>(reach * reach) * 1.00001f;
+  const std::uint32_t *roots = s.cellNodes + entry;
+  for (std::uint32_t r = 1; r <= roots[0]; ++r) {
+    const std::uint32_t end = s.node[roots[r]].skip;
+    for (std::uint32_t n = roots[r]; n < end;) {
+      const TreeNode &node = s.node[n];
+      if (!withinReach(node, coarse, reach2) ||
+          (wanted == Wanted::Minima && !mayHoldMinimum(s.cone[n], node, coarse))) {
+        n = node.skip;
+        continue;
+      }
+      ++n;
+      for (std::uint32_t k = node.leaf >> 3, last = k + (node.leaf & 7u); k < last; ++k) {
+        const SurfaceTriangle &t = s.triangle[k];
+        const TrianglePoint p =
+            nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
+        const double distance2 = dot(p.branch, p.branch);
+        if (distance2 < reach * reach && !visit(k, p, distance2)) return;
+      }
+    }
+  }
+}
+
+/// Is the centre behind the contact's feature?
+GPUDEM_HD bool onWrongSide(const SurfaceView &s, const SurfaceContact &c)
+{
+  return dot(pseudonormal(s, c.triangle, c.feature), c.normal) * s.side < 0.0;
+}
+
+/// Sides of closed bodies. A centre inside is pushed out through the nearest point, the way it came in; seen from
+/// outside, faces that look away belong to the far side of a thin part.
+GPUDEM_HD void chooseSides(const SurfaceView &s, SurfaceContacts &out)
+{
+  if (out.count == 0) return;
+  if (onWrongSide(s, out.contact[0])) {
+    out.count = 1;
+    out.contact[0].normal = out.contact[0].normal * -1.0;
+    out.contact[0].distance = -out.contact[0].distance;
+    return;
+  }
+  int left = 1;
+  for (int i = 1; i < out.count; ++i)
+    if (!onWrongSide(s, out.contact[i])) out.contact[left++] = out.contact[i];
+  out.count = left;
+}
+
+/// How far each contact stands out from the tangent planes of the nearest points of all triangles that are nearer.
+GPUDEM_HD void findProminence(const SurfaceView &s, const Vec3<double> &x, double reach, const SurfaceContacts &c,
+                              Prominence *prominence)
+{
+  for (int j = 0; j < c.count; ++j) prominence[j] = {1.0, 0.0};
+  visitNear(s, x, c.contact[c.count - 1].distance, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+    if (distance2 == 0.0) return true;
+    SurfaceContact nearer;
+    nearer.triangle = k;
+    nearer.distance = squareRoot(distance2);
+    nearer.normal = p.branch * (1.0 / nearer.distance);
+    for (int j = c.count - 1; j > 0 && c.contact[j].distance > nearer.distance; --j) {
+      const Vec3<double> chord = c.contact[j].normal - nearer.normal;
+      if (dot(chord, chord) > sameDirection2) compareWith(nearer, c.contact[j], reach, prominence[j]);
+    }
+    return true;
+  });
+}
+
+/// Is any triangle within \p reach of \p x? \pre reach <= s.reach
+GPUDEM_HD bool isNear(const SurfaceView &s, const Vec3<double> &x, double reach)
+{
+  bool found = false;
+  visitNear(s, x, reach, [&](std::uint32_t, const TrianglePoint &, double) {
+    found = true;
+    return false;
+  });
+  return found;
+}
+
+/// Contacts of a sphere of radius \p reach around \p x with the surface, with their weights.
+/// \pre reach <= s.reach
+GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, double reach, SurfaceContacts &out)
+{
+  MinimumList list(out);
+  visitNear<Wanted::Minima>(s, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+    const SurfaceTriangle &t = s.triangle[k];
+    if (!isMinimum(s, t, p, x)) return true;
+    SurfaceContact c;
+    c.weight = 1.0;
+    c.triangle = k;
+    c.feature = p.feature;
+    c.distance = squareRoot(distance2);
+    if (c.distance > 0.0) {
+      c.normal = p.branch * (1.0 / c.distance);
+    } else {  // the centre is on the surface
+      const Vec3<double> n = faceNormal(s, t);
+      c.normal = n * ((s.side < 0 ? -1.0 : 1.0) / squareRoot(dot(n, n)));
+    }
+    list.add(c);
+    return true;
+  });
+  if (s.side != 0) chooseSides(s, out);
+  if (out.count < 2) return;
+  Prominence prominence[maxSurfaceContacts];
+  findProminence(s, x, reach, out, prominence);
+  out.count = weighContacts(out.contact, out.count, reach, prominence);
+}
+
+}  // namespace gpudem

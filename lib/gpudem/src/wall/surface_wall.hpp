@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file Force of a wall of triangles on a grain: every contact with the law of the wall, numbers of its own, and its
+/// weight (surface/contact_weights.hpp).
+#pragma once
+
+#include "contact/scene_laws.hpp"
+#include "surface/contact_identity.hpp"
+#include "wall/analytic_wall.hpp"
+#include "wall/body_pose.hpp"
+
+namespace gpudem {
+
+/// A surface at one step.
+struct SurfaceAt {
+  SurfaceView surface;
+  BodyPose pose;
+};
+
+/// Contacts of one grain with one surface, [most][size]: direction in the frame of the body, then what the law keeps.
+template <class Real>
+struct SurfaceSlots {
+  Real *first;
+  int most, size;
+
+  GPUDEM_HD Real *at(int slot) const { return first + static_cast<std::size_t>(size) * slot; }
+  GPUDEM_HD Vec3<double> direction(int slot) const
+  {
+    const Real *s = at(slot);
+    return Vec3<Real>{s[0], s[1], s[2]}.template as<double>();
+  }
+  GPUDEM_HD bool used(int slot) const
+  {
+    const Vec3<double> n = direction(slot);
+    return dot(n, n) > 0.5;
+  }
+  GPUDEM_HD void clear(int slot) const
+  {
+    for (int d = 0; d < size; ++d) at(slot)[d] = Real(0);
+  }
+};
+
+enum class SurfaceTrouble : std::uint32_t {
+  None,
+  Crowded,  ///< more contacts than there are slots
+  Crossed   ///< the centre went through a sheet since the last step
+};
+
+template <class Real>
+struct SurfaceLoad {
+  Vec3<Real> force, torque;
+  SurfaceTrouble trouble;
+};
+
+/// Did the centre pass through a sheet? Then a contact turns up deep in the grain on the other side of an old one.
+template <class Real>
+GPUDEM_HD bool crossedSheet(const SurfaceSlots<Real> &slots, const SurfaceContact &now, double radius)
+{
+  if (now.distance > 0.5 * radius) return false;  // the far wall of a slot is about a radius away
+  for (int k = 0; k < slots.most; ++k)
+    if (slots.used(k) && dot(slots.direction(k), now.normal) < -0.9) return true;
+  return false;
+}
+
+/// Slots of the contacts: that of the contact each continues, or a free one, filled with a copy of what the contact
+/// that it comes from keeps, or with zeros. Slots that no contact uses are cleared.
+template <class Real>
+GPUDEM_HD void placeContacts(const SurfaceSlots<Real> &slots, const SurfaceContacts &c, double radius, bool checkSides,
+                             int *slot, SurfaceTrouble &trouble)
+{
+  Vec3<double> old[maxSurfaceSlots];
+  for (int k = 0; k < slots.most; ++k) {
+    old[k] = slots.direction(k);
+    if (dot(old[k], old[k]) < 0.5) old[k] = {1e3, 1e3, 1e3};  // far from every direction
+  }
+  const double chord2 = identityChord2(c, radius);
+  int from[maxSurfaceSlots];
+  std::uint32_t claimed = 0;
+  for (int k = 0; k < c.count; ++k) {
+    from[k] = continuedContact(old, slots.most, c.contact[k], chord2);
+    slot[k] = -1;
+    if (from[k] < 0 && checkSides && crossedSheet(slots, c.contact[k], radius)) trouble = SurfaceTrouble::Crossed;
+    if (from[k] < 0 || claimed >> from[k] & 1u) continue;
+    slot[k] = from[k];
+    claimed |= 1u << from[k];
+  }
+  for (int k = 0; k < c.count; ++k) {
+    for (int free = 0; slot[k] < 0 && free < slots.most; ++free) {
+      if (claimed >> free & 1u) continue;
+      slot[k] = free;
+      claimed |= 1u << free;
+      for (int d = 0; d < slots.size; ++d) slots.at(free)[d] = from[k] < 0 ? Real(0) : slots.at(from[k])[d];
+    }
+    Real *kept = slots.at(slot[k]);
+    for (int d = 0; d < directionNumbers; ++d) kept[d] = static_cast<Real>(c.contact[k].normal[d]);
+  }
+  for (int k = 0; k < slots.most; ++k)
+    if (!(claimed >> k & 1u)) slots.clear(k);
+}
+
+/// What the law is given of one contact.
+template <class Real>
+GPUDEM_HD Contact<Real> surfaceContact(const SurfaceContact &c, const Vec3<double> &normal, const Vec3<double> &surface,
+                                       double radius, const Motion<Real> &m)
+{
+  // a centre on the surface, or behind it, is pushed along the normal all the same
+  const double least = 1e-6 * radius, away = absolute(c.distance);
+  const double distance = away > least ? away : least;
+  Contact<Real> in{};
+  in.branch = (normal * distance).template as<Real>();
+  in.distance = static_cast<Real>(distance);
+  in.inverseDistance = static_cast<Real>(1.0 / distance);
+  in.overlap = static_cast<Real>(radius - c.distance);
+  in.effectiveRadius = static_cast<Real>(radius);
+  in.effectiveMass = m.mass;
+  in.relativeVelocity = Vec3<Real>{m.vx, m.vy, m.vz} - surface.template as<Real>();
+  in.surfaceSpin = Vec3<Real>{m.wx, m.wy, m.wz} * static_cast<Real>(radius);
+  in.spinDifference = {m.wx, m.wy, m.wz};
+  in.radiusDifference = -static_cast<Real>(radius);
+  in.inertia = m.mass * static_cast<Real>(radius * radius);
+  in.atWall = true;
+  return in;
+}
+
+/// Contacts that hold: those within touch, and adhesive ones that were there and are within the gap.
+template <class Real>
+GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
+                           const Vec3<double> &x, double radius, SurfaceContacts &c)
+{
+  bool holds = false;
+  if (wall.flag) {
+    holds = wall.model->beforeTouch;
+    for (int k = 0; k < slots.most; ++k) holds = holds || slots.at(k)[directionNumbers] != Real(0);
+  }
+  const double gap = holds ? static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(radius))) : 0.0;
+  surfaceContacts(s.surface, s.pose.toBody(x), radius + gap, c);
+}
+
+/// One contact in \p touch.
+template <class Real>
+GPUDEM_HD void recordTouch(const SurfaceAt &s, const SurfaceContact &contact, const Vec3<double> &normal,
+                           const Vec3<double> &at, const Contact<Real> &in, const Vec3<Real> &force,
+                           const Vec3<Real> &torque, SurfaceTouch &touch)
+{
+  const Vec3<Real> n = normal.template as<Real>();
+  const Vec3<Real> sliding = in.relativeVelocity - n * dot(n, in.relativeVelocity) - cross(in.surfaceSpin, n);
+  touch.triangle = s.surface.triangle[contact.triangle].original;
+  touch.slip = static_cast<double>(squareRoot(dot(sliding, sliding)));
+  touch.push = static_cast<double>(dot(n, force));
+  const Vec3<double> couple = torque.template as<double>() +
+                              cross(normal * contact.distance, force.template as<double>());
+  for (int d = 0; d < 3; ++d) {
+    touch.place[d] = at[d];
+    touch.force[d] = -static_cast<double>(force[d]);
+    touch.couple[d] = -couple[d];
+  }
+}
+
+/// Force and torque of all contacts; what they keep and the recorded contact (the deepest) are updated.
+/// \param touch [mostContacts] all contacts, those without force left as they are; null if not wanted
+template <class Real>
+GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
+                                        std::uint32_t i, std::uint32_t count, const Vec3<double> &x, double radius,
+                                        const Motion<Real> &m, Real dt, bool advance,
+                                        SurfaceTouch *touch = nullptr)
+{
+  const Vec3<Real> none{Real(0), Real(0), Real(0)};
+  SurfaceLoad<Real> load{none, none, SurfaceTrouble::None};
+  SurfaceContacts c;
+  findHolding(wall, s, slots, x, radius, c);
+  if (c.count > slots.most) {
+    load.trouble = SurfaceTrouble::Crowded;
+    c.count = slots.most;
+  }
+  int slot[maxSurfaceSlots];
+  placeContacts(slots, c, radius, s.surface.side == 0, slot, load.trouble);
+  for (int k = c.count - 1; k >= 0; --k) {
+    const SurfaceContact &contact = c.contact[k];
+    const Vec3<double> normal = s.pose.turned(contact.normal), at = x - normal * contact.distance;
+    const Contact<Real> in = surfaceContact(contact, normal, s.pose.velocityAt(at), radius, m);
+    Real *kept = slots.size > directionNumbers ? slots.at(slot[k]) + directionNumbers : nullptr;
+    if (wall.flag && contact.distance >= radius && kept[0] == Real(0) && !wall.model->beforeTouch) {
+      slots.clear(slot[k]);  // another contact's neck made the search reach farther
+      continue;
+    }
+    const ContactForce<Real> f =
+        wall.model ? modelWallForce(wall, in, kept, dt, advance) : classicWallForce(wall, in, kept, dt, advance);
+    const Real weight = static_cast<Real>(contact.weight);
+    const Vec3<Real> torque = (f.moment - f.couple * (static_cast<Real>(radius) - f.shorter)) * weight;
+    load.force += f.force * weight;
+    load.torque += torque;
+    if (wall.contacts) recordContact(wall, i, count, f.force * weight, at, radius);
+    if (touch) recordTouch(s, contact, normal, at, in, f.force * weight, torque, touch[k]);
+  }
+  return load;
+}
+
+}  // namespace gpudem

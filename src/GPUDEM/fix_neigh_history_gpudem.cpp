@@ -48,12 +48,30 @@ void FixNeighHistoryGpudem::write_restart(FILE *fp)
   FixNeighHistory::write_restart(fp);
 }
 
-/// What the local atom \p other keeps of its contact with the local atom \p owner, or null.
-const double *FixNeighHistoryGpudem::localCopy(int owner, int other) const
+/// Where grain \p i holds its contact with \p wanted, -1 if it holds none. A body that touches thousands is asked by all
+/// of them: its list is sorted once.
+int FixNeighHistoryGpudem::entryOf(int i, tagint wanted, LongLists &lists) const
 {
-  for (int k = 0; k < npartner[other]; ++k)
-    if (partner[other][k] == atom->tag[owner]) return valuepartner[other] + dnum * k;
-  return nullptr;
+  constexpr int longestUnsorted = 64;
+  const tagint *const begin = partner[i], *const end = begin + npartner[i];
+  if (npartner[i] <= longestUnsorted) {
+    const tagint *found = std::find(begin, end, wanted);
+    return found == end ? -1 : static_cast<int>(found - begin);
+  }
+  auto &list = lists[i];
+  if (list.empty()) {
+    for (const tagint *p = begin; p != end; ++p) list.emplace_back(*p, static_cast<int>(p - begin));
+    std::sort(list.begin(), list.end());
+  }
+  const auto found = std::lower_bound(list.begin(), list.end(), std::make_pair(wanted, 0));
+  return found != list.end() && found->first == wanted ? found->second : -1;
+}
+
+/// What the local atom \p other keeps of its contact with the local atom \p owner, or null.
+const double *FixNeighHistoryGpudem::localCopy(int owner, int other, LongLists &lists) const
+{
+  const int k = entryOf(other, atom->tag[owner], lists);
+  return k < 0 ? nullptr : valuepartner[other] + dnum * k;
 }
 
 /// delete_atoms renumbers atoms but not the partners stored here, so that an entry may name the wrong grain, with which
@@ -92,12 +110,13 @@ void FixNeighHistoryGpudem::exportTo(gpudem::ContactHistory &history, Source sou
   history.offset.assign(nlocal + 1, 0);
   history.partner.clear();
   history.spring.clear();
+  LongLists lists;
   std::size_t asked = 0;
   for (int i = 0; i < nlocal; ++i) {
     for (int m = 0; m < npartner[i]; ++m) {
       const int other = local(partner[i][m]);
       const double *mine = valuepartner[i] + dnum * m, *theirs = nullptr;
-      if (other >= 0) theirs = localCopy(i, other);
+      if (other >= 0) theirs = localCopy(i, other, lists);
       else if (ask) theirs = cross.partnersCopy(asked++);
       const bool kept = other < 0 && several && !ask;  // by the device, which has the same numbers on both sides
       if (!kept && !isSameContact(mine, theirs)) continue;

@@ -6,6 +6,8 @@
 #include "fix_neigh_history.h"
 #include "gpudem/engine.h"
 
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -41,7 +43,9 @@ class FixNeighHistoryGpudem : public FixNeighHistory {
   void setSynchroniser(class VerletGpudem *owner) { synchroniser = owner; }
 
  private:
-  const double *localCopy(int owner, int other) const;
+  using LongLists = std::unordered_map<int, std::vector<std::pair<tagint, int>>>;  ///< partners and where they stand
+  int entryOf(int i, tagint wanted, LongLists &lists) const;
+  const double *localCopy(int owner, int other, LongLists &lists) const;
   bool isSameContact(const double *mine, const double *theirs) const;
 
   std::vector<int> place{0, 1, 2};

@@ -272,7 +272,7 @@ ResidentPlan LAMMPS_NS::planResidentRun(LAMMPS *lmp)
   scene.largestRadius = plan.pair->largestRadius();
   const GpudemSettings &settings = gpudemSettings(lmp);
   scene.levels = settings.neighbor == "single" ? 1 : settings.levels;
-  if (settings.neighbor == "multigrid") scene.multigridFrom = scene.levelRatio;
+  if (settings.neighbor == "multigrid") scene.levelRatio = 2.0;
   addExclusions(lmp, scene);
   classify(lmp, plan);
   if (gpudem::keepsContacts(scene) && !plan.history) {

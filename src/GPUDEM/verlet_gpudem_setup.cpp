@@ -209,7 +209,7 @@ void VerletGpudem::setupResident(int flag)
 
   force->setup();
   ev_set(update->ntimestep);
-  modify->setup_pre_force(vflag);
+  if (modify->n_pre_force) state.hostSection([&] { modify->setup_pre_force(vflag); });
   if (state.toDevice()) state.rebuild();
   gpudem::Recording record;
   record.virial = vflag % 4 != 0;

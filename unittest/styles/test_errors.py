@@ -30,6 +30,10 @@ class Errors(StylesTest):
         self.fails("gpudem device tpu\n", "ERROR", "'tpu'", "'device'", "auto, gpu, cpu")
         self.fails("gpudem threads none\n", "ERROR", "'none'", "'threads'", "whole number")
         self.fails("gpudem threads 0\n", "ERROR", "'0'", "'threads'")
+        self.fails("gpudem neighbor grid\n", "ERROR", "'grid'", "'neighbor'", "auto, single, multigrid")
+        self.fails("gpudem levels 13\n", "ERROR", "'13'", "'levels'", "at most 12")
+        for word in ("few", "0", "-2", "2.5", "3x"):
+            self.fails(f"gpudem levels {word}\n", "ERROR", f"'{word}'", "'levels'", "whole number of at least 1")
 
     def test_missing_value(self):
         self.fails("gpudem precision\n", "ERROR", "'precision'", "no value")
@@ -86,7 +90,13 @@ class Errors(StylesTest):
         self.fails(scenes.scene(after="set atom 9 diameter 0.0\nrun 20\n"), "ERROR", "extended particles", cloud=cloud)
         for fixes in ("fix move some nve/sphere\n", ""):
             self.fails(scenes.scene(fixes, before="group some id 10:125\n", after="set atom 9 diameter 0.0\nrun 20\n"),
-                       "ERROR", "atom 9 at step 0 has the radius 0", cloud=cloud)
+                       "ERROR", "atom 9 at step", "the radius 0", "above 0", cloud=cloud)
+
+    def test_diameter_that_is_no_number(self):
+        """In the data, and in a run that goes on after it."""
+        bad = "variable bad atom 1.0e308*1.0e10-1.0e308*1.0e10\nset atom 9 diameter v_bad\n"
+        for before, after in ((bad, "run 20\n"), ("", "run 20\n" + bad + "run 20\n")):
+            self.fails(scenes.scene(before=before, after=after), "ERROR", "atom 9", "radius", "nan", "above 0")
 
     def test_wrong_style_arguments(self):
         self.fails(scenes.scene(pair="gran/hooke/history 2.0e4 NULL 50.0"), "ERROR", "Illegal pair_style command")

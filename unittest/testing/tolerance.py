@@ -127,6 +127,8 @@ class ChungOoi:
 
 CHUNG_OOI = ChungOoi()
 
+# relative, double: 500 steps of dense powder after a restart file, as far as the log prints digits
+CONTINUED_STROKE = 1e-6
 # Weight of a bed at rest read from the wall (relative): double rests to round-off; mixed sums forces of single precision.
 WALL_WEIGHT = {"host": 1e-9, "double": 1e-9, "mixed": 1e-6}
 # Sums over contacts against the same sums over the dumped grains: order of summation; single precision.

@@ -148,8 +148,7 @@ struct SceneSpec {
   double skin = 0;           ///< neighbour skin (distance)
   double largestRadius = 0;  ///< of all grains present and to come (distance)
   int levels = 0;            ///< of grains by size, at most mostLevels; 0: as many as the sizes need
-  double levelRatio = 2.0;   ///< of the largest radii of successive levels, where levels is 0
-  double multigridFrom = 2.0;  ///< ratio of largest to smallest radius below which there is one level, where levels is 0
+  double levelRatio = 0;     ///< of the largest radii of successive levels, where levels is 0; 0: what pays on the device
   int types = 1;
 };
 

@@ -16,6 +16,7 @@
 #include "neighbor/place.hpp"
 #include "neighbor/pair_table.hpp"
 #include "neighbor/row_table.hpp"
+#include "neighbor/size_range.hpp"
 #include "step/contact_chunk.hpp"
 #include "step/contact_warp.hpp"
 #include "step/kernel_products.hpp"
@@ -148,6 +149,10 @@ class EngineImpl final : public Engine {
   void collectObservables(const Recording &record);
 
   void extractSprings();
+  void sortStore();
+  SizeRange adoptSizes(const HostParticles &host);
+  void importShape(const HostParticles &host);
+  void requireRoom(const Box &box) const;
   void adaptSkin(const Box &box);
   void reframe(const Frame &frame);
   void rebuildIn(const CellGrid &fresh);
@@ -217,6 +222,7 @@ class EngineImpl final : public Engine {
   Array<std::uint32_t> storeOffset_{"stored contacts"};
   Array<std::int32_t> storePartner_{"partners of stored contacts"};
   Array<Real> storeSpring_{"stored springs"};
+  StoreSorter<Exec, Real> storeSorter_;
   Array<Real> virial_{"virials"};
   Array<std::uint8_t> typeTable_{"type exclusions"};
   Array<unsigned char> staging_{"staging"};

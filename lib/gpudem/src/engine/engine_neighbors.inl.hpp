@@ -54,6 +54,14 @@ void EngineImpl<Exec, P>::extractSprings()
   storeSpring_.reserveWithSlack(static_cast<std::size_t>(layout_.size) * total);
   table_.extractSprings(exec_, count_, tag_.data(), storeOffset_.data(), layout_.mirror, storePartner_.data(),
                         storeSpring_.data());
+  sortStore();
+}
+
+/// What the search for a partner in a long row relies on.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::sortStore()
+{
+  storeSorter_.sort(exec_, count_, layout_.size, storeOffset_.data(), storePartner_.data(), storeSpring_.data());
 }
 
 template <class Exec, class P>
@@ -69,9 +77,7 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
   }
   adaptSkin(box);
   const CellGrid fresh = chooseGrid(box, reachOf(scene_, pullOffGap_, skin_), mostCells);
-  bool fits = true;
-  for (int d = 0; d < 3; ++d) fits = fits && fresh.size[d] * 2.0 <= frame_.window[d];
-  if (!fits) reframe(chooseFrame(box, fresh));
+  if (!spansSearch(frame_, box, fresh)) reframe(chooseFrame(box, fresh));
   explainMemory([&] { rebuildIn(fresh); });
   storeFresh_ = false;
   inner_.setSkin(skin_, reachSlackOf(frame_));

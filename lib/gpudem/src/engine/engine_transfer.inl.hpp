@@ -32,6 +32,7 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   add(ghostCells_);
   add(layer_);
   add(cross_);
+  add(storeSorter_);
   add(blockScratch_);
   for (const auto &a : termBefore_) add(a);
   for (const auto &a : wallContacts_) add(a);
@@ -118,36 +119,64 @@ T *EngineImpl<Exec, P>::stageOut(std::size_t count)
   return reinterpret_cast<T *>(staging_.data());
 }
 
+/// Levels and reach that fit the radii, which may have grown since the scene was set.
+template <class Exec, class P>
+SizeRange EngineImpl<Exec, P>::adoptSizes(const HostParticles &host)
+{
+  const SizeRange sizes = sizeRange(host, scene_.largestRadius);
+  if (layer_.joined() && sizes.largest > scene_.largestRadius)  // other ranks would know nothing of it
+    throw Error(fmt::format("a radius grew to {:g}, beyond {:g}, the largest that was known when the run began: run on one "
+                            "rank, or begin with a grain of the final size",
+                            sizes.largest, scene_.largestRadius));
+  scene_.largestRadius = sizes.largest;
+  pullOffGap_ = largestPullOffGap(scene_);
+  requireRoom(box_);
+  const double ratio = scene_.levelRatio > 0.0 ? scene_.levelRatio : Exec::onGpu ? levelRatioOnGpu : levelRatioOnCpu;
+  levelRadii_ = chooseLevels(host.radius, host.count, sizes.largest, scene_.levels, ratio);
+  return sizes;
+}
+
+template <class Exec, class P>
+void EngineImpl<Exec, P>::importShape(const HostParticles &host)
+{
+  exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), hostIndex_.data(), positions()});
+  exec_.forEach(count_, ImportMass<Real>{stageIn(host.mass, count_), hostIndex_.data(), motion_[motNow_].data()});
+}
+
+/// Two grains may meet through one face of a periodic box only.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::requireRoom(const Box &box) const
+{
+  const double reach = reachOf(scene_, pullOffGap_, skin_);
+  for (int d = 0; d < box.dimension; ++d)
+    if (box.periodic[d] && box.hi[d] - box.lo[d] < 2.0 * reach)
+      throw Error(fmt::format("the periodic box is {:g} long in {}, shorter than twice the interaction range {:g}",
+                              box.hi[d] - box.lo[d], "xyz"[d], reach));
+}
+
 template <class Exec, class P>
 void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, const ContactHistory *history)
 {
   if (host.count >= noParticle) throw Error(fmt::format("{} grains exceed the 32-bit index", host.count));
-  count_ = static_cast<std::uint32_t>(host.count);
+  count_ = 0;  // until all that may be refused is checked
   ghosts_ = 0;
   box_ = box;
   rowsValid_ = false;
   queued_ = 0;
   resetStatus();
+  const SizeRange sizes = adoptSizes(host);
   grid_ = chooseGrid(box, reachOf(scene_, pullOffGap_, skin_), mostCells);
   frame_ = chooseFrame(box, grid_);
   anchorRule_ = chooseAnchors(frame_, skin_);
-  for (int d = 0; d < 3; ++d) {
-    const bool wraps = d == 0 ? grid_.wrapX : d == 1 ? grid_.wrapY : grid_.wrapZ;
-    if (wraps && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_, skin_))
-      throw Error(fmt::format("the periodic box is {:g} long in {}, shorter than twice the interaction range {:g}",
-                              box.hi[d] - box.lo[d], "xyz"[d], reachOf(scene_, pullOffGap_, skin_)));
-  }
+  requireResolved(sizes, frame_, coordinateBits(scene_, precision_));
+  count_ = static_cast<std::uint32_t>(host.count);
   explainMemory([&] { reserveParticles(); });
-  if (!count_) levelRadii_ = chooseLevels(nullptr, 0, scene_.largestRadius, 1, scene_.levelRatio, scene_.multigridFrom);
   if (count_) {
-    for (std::uint32_t i = 0; i < count_; ++i)
-      if (!(host.radius[i] > 0.0) || !(host.mass[i] > 0.0))
-        throw Error(fmt::format("atom {} has radius {:g} and mass {:g}; both must be positive", host.tag[i],
-                                host.radius[i], host.mass[i]));
     exec_.forEach(count_, IdentityValues{hostIndex_.data()});
     exec_.copyIn(tag_.data(), host.tag, count_);
     exec_.copyIn(image_.data(), host.image, count_);
-    uploadFields(host, fieldMask | fieldShape | fieldKinetic | fieldForce | fieldTorque);
+    importShape(host);
+    uploadFields(host, fieldMask | fieldKinetic | fieldForce | fieldTorque);
   }
   forceValid_ = host.force != nullptr;
   storeFresh_ = keepsContacts_;
@@ -164,6 +193,7 @@ void EngineImpl<Exec, P>::upload(const HostParticles &host, const Box &box, cons
       exec_.copyIn(storeOffset_.data(), history->offset.data(), history->offset.size());
       exec_.copyIn(storePartner_.data(), history->partner.data(), contacts);
       exec_.copyIn(storeSpring_.data(), spring.data(), spring.size());
+      sortStore();
     } else {
       exec_.fill(storeOffset_.data(), count_ + 1, 0);
     }
@@ -190,10 +220,11 @@ void EngineImpl<Exec, P>::importFields(const HostParticles &host, unsigned field
   Motion<Real> *motion = motion_[motNow_].data();
   const auto vectors = [&](const double *p) { return stageIn(reinterpret_cast<const Vec3<double> *>(p), count_); };
   if ((fields & fieldShape) && host.radius) {
-    levelRadii_ = chooseLevels(host.radius, count_, scene_.largestRadius, scene_.levels, scene_.levelRatio,
-                               scene_.multigridFrom);
-    exec_.forEach(count_, ImportRadius<P>{stageIn(host.radius, count_), index, positions()});
-    exec_.forEach(count_, ImportMass<Real>{stageIn(host.mass, count_), index, motion});
+    const SizeRange sizes = adoptSizes(host);
+    requireResolved(sizes, chooseFrame(box_, chooseGrid(box_, reachOf(scene_, pullOffGap_, skin_), mostCells)),
+                    coordinateBits(scene_, precision_));
+    importShape(host);
+    rowsValid_ = false;
   }
   if ((fields & fieldPosition) && host.position)
     exec_.forEach(count_,

@@ -82,7 +82,7 @@ std::size_t findNear(const BuildView<P> &v, std::uint32_t i, CandidateList &list
     const float dx = static_cast<float>(static_cast<std::int32_t>(p.x - x[k])) * ux;
     const float dy = static_cast<float>(static_cast<std::int32_t>(p.y - y[k])) * uy;
     const float dz = static_cast<float>(static_cast<std::int32_t>(p.z - z[k])) * uz;
-    const float reach = (p.radius + radius[k]) * 1.000001f + slack + more;
+    const float reach = (p.radius + radius[k]) * 1.000001f + more + slack;
     near[k] = dx * dx + dy * dy + dz * dz < reach * reach ? 1 : 0;
   }
   std::size_t n = 0;

@@ -6,7 +6,7 @@
 /// that list round. Both orders depend on the order of the grains alone.
 #pragma once
 
-#include "neighbor/rows.hpp"
+#include "neighbor/cross_search.hpp"
 
 namespace gpudem {
 
@@ -22,12 +22,14 @@ GPUDEM_HD void forEachCoarserNeighbor(const BuildView<P> &v, std::uint32_t i, Vi
   const std::uint32_t cell = v.cell[i];
   const int own = v.levels.levelOfCell(cell);
   for (int coarser = own + 1; coarser < v.levels.levels; ++coarser) {
-    const float reach = (v.levels.largest[own] + v.levels.largest[coarser]) * 1.00001f + v.reachSlack + v.skin;
+    const float reach = coarserReach(v, own, coarser);
     forEachCoarserCell(v.levels, cell, coarser, static_cast<double>(reach), [&](std::uint32_t c) {
       forEachRange(v, c, [&](std::uint32_t j, std::uint32_t end) {
         if (i >= v.count && j >= v.count) return;
         for (; j < end; ++j) {
-          if (!mayTouch(p, v.position.coarse[j], unit, v.reachSlack + v.skin)) continue;
+          const CoarsePosition q = v.position.coarse[j];
+          const float near = (p.radius + q.radius) * 1.000001f + v.reachSlack + v.skin;
+          if (distance2(p, q, unit) >= near * near) continue;
           if (anyExclusion && v.exclude.excluded(mask, v.mask[j], v.type[i], v.type[j])) continue;
           visit(j);
         }
@@ -77,12 +79,19 @@ class CrossLevels {
     first_.reserve(n);
     end_.reserve(n);
     offset_.reserve(static_cast<std::size_t>(n) + 1);
-    exec.forEach(n, CountCoarser<P>{v, first_.data()});
+    const std::uint32_t chunks = chunksOf(n, grainsPerChunk);
+    if constexpr (Exec::onGpu) {
+      exec.forEach(n, CountCoarser<P>{v, first_.data()});
+    } else {
+      found_.resize(chunks);
+      exec.forEachChunk(chunks, FindCoarser<P>{v, first_.data(), found_.data()});
+    }
     const std::uint64_t pairs = exec.exclusiveScan(first_.data(), offset_.data(), n);
     if (pairs >> 32) throw Error(fmt::format("{} pairs of grains of different levels exceed the 32-bit index", pairs));
     const auto m = static_cast<std::uint32_t>(pairs);
     for (auto *a : {&coarser_, &finer_, &sorted_, &order_}) a->reserveWithSlack(pairs);
-    exec.forEach(n, ListCoarser<P>{v, offset_.data(), coarser_.data(), finer_.data()});
+    if constexpr (Exec::onGpu) exec.forEach(n, ListCoarser<P>{v, offset_.data(), coarser_.data(), finer_.data()});
+    else exec.forEachChunk(chunks, JoinCoarser{n, found_.data(), offset_.data(), coarser_.data(), finer_.data()});
     exec.sort(coarser_, sorted_, order_, m, n);
     exec.fill(first_.data(), n, 0);
     exec.fill(end_.data(), n, 0);
@@ -92,7 +101,9 @@ class CrossLevels {
   }
   std::size_t bytes() const
   {
-    return offset_.bytes() + first_.bytes() + end_.bytes() + coarser_.bytes() + finer_.bytes() + sorted_.bytes() +
+    std::size_t found = 0;
+    for (const auto &f : found_) found += f.capacity() * sizeof(std::uint32_t);
+    return found + offset_.bytes() + first_.bytes() + end_.bytes() + coarser_.bytes() + finer_.bytes() + sorted_.bytes() +
            order_.bytes();
   }
 
@@ -101,6 +112,7 @@ class CrossLevels {
   Array offset_{"coarser partners"}, first_{"finer partners"}, end_{"finer partners (2)"},
       coarser_{"pairs across levels"}, finer_{"pairs across levels (2)"}, sorted_{"pairs across levels (3)"},
       order_{"pairs across levels (4)"};
+  std::vector<std::vector<std::uint32_t>> found_;  ///< [chunks] coarser neighbours, CPU only
 };
 
 }  // namespace gpudem

@@ -70,6 +70,18 @@ inline Frame chooseFrame(const Box &box, const CellGrid &grid)
   return f;
 }
 
+/// Do the windows tell all candidates of a search apart? They are at most six cells away (cross_search.hpp: a block of four
+/// finer cells, the reach and a cell), and may not seem closer than a reach when a window is taken off.
+inline bool spansSearch(const Frame &frame, const Box &box, const CellGrid &grid)
+{
+  for (int d = 0; d < 3; ++d) {
+    const bool wrap = d == 0 ? grid.wrapX : d == 1 ? grid.wrapY : grid.wrapZ;
+    if (wrap && frame.window[d] > 0.99 * (box.hi[d] - box.lo[d])) continue;  // the whole box: distances are the least ones
+    if (frame.window[d] < 7.0 * grid.size[d]) return false;
+  }
+  return true;
+}
+
 /// What a coarse test adds to a sum of radii so that it misses no contact: coordinates cut to 32 bits (distance).
 inline float reachSlackOf(const Frame &frame)
 {

@@ -14,13 +14,15 @@ namespace gpudem {
 /// Cells that a level may have: keys of 32 bits are shared by all levels.
 constexpr double mostCells = 2147483648.0;
 
+/// Ratio of the largest radii of successive levels that takes the least time: lanes of the CPU test candidates of one
+/// cell at the cost of few, so that it wants fewer and wider levels (bench/search.cpp, doc/neighbor.md).
+constexpr double levelRatioOnCpu = 3.0, levelRatioOnGpu = 2.0;
+
 /// Largest radius of each level, ascending. Sizes are binned by their ratio to the largest one; empty bins are left
 /// out, and a level's cells fit the largest grain in it.
 /// \param levels wanted, 0: as many as the sizes need
-/// \param ratio of the largest sizes of successive levels, for levels = 0
-/// \param from  ratio of the largest to the smallest size below which there is one level, for levels = 0
-inline std::vector<float> chooseLevels(const double *radius, std::size_t count, double largest, int levels, double ratio,
-                                       double from)
+/// \param ratio of the largest sizes of successive levels, for levels = 0; sizes no further apart make one level
+inline std::vector<float> chooseLevels(const double *radius, std::size_t count, double largest, int levels, double ratio)
 {
   double smallest = largest;
   for (std::size_t i = 0; i < count; ++i) smallest = std::min(smallest, radius[i]);
@@ -28,7 +30,7 @@ inline std::vector<float> chooseLevels(const double *radius, std::size_t count, 
   double width = levels > 0 ? spread / levels : std::log(ratio);
   if (levels == 0) width = std::max(width, spread / maxLevels);
   std::array<double, maxLevels> most{};
-  if (levels == 1 || !(spread > width) || (levels == 0 && spread < std::log(from))) return {std::nextafter(static_cast<float>(largest), HUGE_VALF)};
+  if (!(spread > width)) return {std::nextafter(static_cast<float>(largest), HUGE_VALF)};
   const int bins = levels > 0 ? std::min(levels, maxLevels) : maxLevels;
   for (std::size_t i = 0; i < count; ++i) {
     const int bin = std::clamp(static_cast<int>(std::log(largest / radius[i]) / width), 0, bins - 1);

@@ -52,12 +52,13 @@ GPUDEM_HD void forEachOwnCell(const LevelGrid &levels, std::uint32_t cell, Visit
   forEachCellAround(levels.grid[l], cell - first, [&](std::uint32_t c) { visit(first + c); });
 }
 
-/// Cells [first, last] of a coarser axis that meet cell \p c of a finer one, grown by \p reach; a periodic axis may
-/// give numbers beyond its ends, each cell once.
-GPUDEM_HD void coarserRange(int n, double size, int c, int nCoarse, double inverseCoarse, bool wrap, double reach,
-                            int &first, int &last)
+/// Cells [first, last] of a coarser axis that meet the \p cells from \p c of a finer one, grown by \p reach; a periodic
+/// axis may give numbers beyond its ends, each cell once.
+GPUDEM_HD void coarserRange(int n, double size, int c, int cells, int nCoarse, double inverseCoarse, bool wrap,
+                            double reach, int &first, int &last)
 {
-  const double lo = floor((c * size - reach) * inverseCoarse), hi = floor(((c + 1) * size + reach) * inverseCoarse);
+  const int end = c + cells < n ? c + cells : n;
+  const double lo = floor((c * size - reach) * inverseCoarse), hi = floor((end * size + reach) * inverseCoarse);
   if (wrap) {
     const bool all = hi - lo + 1.0 >= nCoarse;
     first = all ? 0 : static_cast<int>(lo);
@@ -66,24 +67,31 @@ GPUDEM_HD void coarserRange(int n, double size, int c, int nCoarse, double inver
   }
   // the cells at the ends take the grains beyond them, too
   first = c == 0 || lo <= 0.0 ? 0 : lo >= nCoarse - 1 ? nCoarse - 1 : static_cast<int>(lo);
-  last = c == n - 1 || hi >= nCoarse - 1 ? nCoarse - 1 : hi <= 0.0 ? 0 : static_cast<int>(hi);
+  last = end == n || hi >= nCoarse - 1 ? nCoarse - 1 : hi <= 0.0 ? 0 : static_cast<int>(hi);
 }
 
-/// Call visit(cell) for each cell of level \p coarser within \p reach of \p cell, which belongs to a finer level.
+/// Call visit(cell) for each cell of level \p coarser within \p reach of the cube of \p cells per edge that begins at
+/// cell \p c of level \p own.
 template <class Visit>
-GPUDEM_HD void forEachCoarserCell(const LevelGrid &levels, std::uint32_t cell, int coarser, double reach, Visit &&visit)
+GPUDEM_HD void forEachCoarserCell(const LevelGrid &levels, int own, const Vec3<int> &c, int cells, int coarser,
+                                  double reach, Visit &&visit)
 {
-  const int l = levels.levelOfCell(cell);
-  const CellGrid &fine = levels.grid[l], &g = levels.grid[coarser];
-  const Vec3<int> c = fine.coordinates(cell - levels.firstCell[l]);
+  const CellGrid &fine = levels.grid[own], &g = levels.grid[coarser];
   int x0, x1, y0, y1, z0, z1;
-  coarserRange(fine.nx, fine.size.x, c.x, g.nx, g.inverse.x, g.wrapX, reach, x0, x1);
-  coarserRange(fine.ny, fine.size.y, c.y, g.ny, g.inverse.y, g.wrapY, reach, y0, y1);
-  coarserRange(fine.nz, fine.size.z, c.z, g.nz, g.inverse.z, g.wrapZ, reach, z0, z1);
+  coarserRange(fine.nx, fine.size.x, c.x, cells, g.nx, g.inverse.x, g.wrapX, reach, x0, x1);
+  coarserRange(fine.ny, fine.size.y, c.y, cells, g.ny, g.inverse.y, g.wrapY, reach, y0, y1);
+  coarserRange(fine.nz, fine.size.z, c.z, cells, g.nz, g.inverse.z, g.wrapZ, reach, z0, z1);
   for (int z = z0; z <= z1; ++z)
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x)
         visit(levels.firstCell[coarser] + g.index(wrapCell(x, g.nx), wrapCell(y, g.ny), wrapCell(z, g.nz)));
+}
+/// The same for one cell, numbered through the levels.
+template <class Visit>
+GPUDEM_HD void forEachCoarserCell(const LevelGrid &levels, std::uint32_t cell, int coarser, double reach, Visit &&visit)
+{
+  const int own = levels.levelOfCell(cell);
+  forEachCoarserCell(levels, own, levels.grid[own].coordinates(cell - levels.firstCell[own]), 1, coarser, reach, visit);
 }
 
 }  // namespace gpudem

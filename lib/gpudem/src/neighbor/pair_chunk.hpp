@@ -89,8 +89,7 @@ struct BuildPairs {
   void carry(std::uint32_t i, std::int32_t tag, PairChunk<Real> &pairs) const
   {
     const std::uint32_t end = store.offset[oldIndex[i] + 1];
-    std::uint32_t m = store.offset[oldIndex[i]];
-    while (m < end && store.partner[m] != tag) ++m;
+    const std::uint32_t m = store.find(store.offset[oldIndex[i]], end, tag);
     pairs.touching.push_back(m < end ? 1 : 0);
     const auto size = static_cast<std::size_t>(store.size);
     for (std::size_t d = 0; d < size; ++d) pairs.spring.push_back(m < end ? store.spring[size * m + d] : Real(0));

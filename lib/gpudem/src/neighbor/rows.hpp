@@ -4,6 +4,7 @@
 #pragma once
 
 #include "neighbor/cell_directory.hpp"
+#include "neighbor/contact_store.hpp"
 #include "neighbor/levels.hpp"
 #include "step/step_view.hpp"
 
@@ -23,15 +24,6 @@ struct ExclusionView {
       if (((maskI & groupA[g]) && (maskJ & groupB[g])) || ((maskI & groupB[g]) && (maskJ & groupA[g]))) return true;
     return typeTable && typeTable[typeI * (types + 1) + typeJ];
   }
-};
-
-/// What all contacts keep, as compressed rows in the order of the grains before a rebuild.
-template <class Real>
-struct ContactStore {
-  int size;                     ///< numbers per contact
-  const std::uint32_t *offset;  ///< [n+1]
-  const std::int32_t *partner;  ///< tag of the partner
-  const Real *spring;           ///< [contacts][size]
 };
 
 /// Do the tables remember contacts? Springs alone have a size that the compiler knows.
@@ -73,6 +65,13 @@ struct BuildView {
   float reachSlack;
   ExclusionView exclude;
 };
+
+/// Distance within which a grain of level \p own may have a neighbour of level \p coarser (distance).
+template <class P>
+GPUDEM_HD float coarserReach(const BuildView<P> &v, int own, int coarser)
+{
+  return (v.levels.largest[own] + v.levels.largest[coarser]) * 1.00001f + v.reachSlack + v.skin;
+}
 
 /// Call range(from, to) for the grains of \p cell, then for the ghosts in it.
 template <class P, class Range>
@@ -199,14 +198,12 @@ struct FillRows {
   GPUDEM_HD void carry(std::uint32_t i, std::uint32_t k, std::uint32_t base, std::int32_t tag, std::uint32_t from,
                        std::uint32_t to) const
   {
-    for (std::uint32_t m = from; m < to; ++m) {
-      if (store.partner[m] != tag) continue;
-      const int size = keptSize<keeping>(store.size);
-      Real *slot = rows.spring + size * static_cast<std::size_t>(base + k * W);
-      for (int d = 0; d < size; ++d) slot[d] = store.spring[size * static_cast<std::size_t>(m) + d];
-      rows.touch[rows.wordOf(i, k / 32, W)] |= 1u << (k % 32);
-      return;
-    }
+    const std::uint32_t m = store.find(from, to, tag);
+    if (m == to) return;
+    const int size = keptSize<keeping>(store.size);
+    Real *slot = rows.spring + size * static_cast<std::size_t>(base + k * W);
+    for (int d = 0; d < size; ++d) slot[d] = store.spring[size * static_cast<std::size_t>(m) + d];
+    rows.touch[rows.wordOf(i, k / 32, W)] |= 1u << (k % 32);
   }
 };
 

@@ -3,7 +3,10 @@
 /// \file Level sets as walls: the zero of a .vdb file, and what is said where there is none.
 #include "gpudem/surface.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -39,9 +42,9 @@ TEST(LevelSet, FileThatIsNotThere)
 
 #ifdef GPUDEM_HAVE_OPENVDB
 
-/// Removed when the test ends.
+/// Removed when the test ends. Tests run at the same time, each in a process.
 struct Scratch {
-  std::string path = ::testing::TempDir() + "gpudem-level-set.vdb";
+  std::string path = fmt::format("{}gpudem-level-set-{}.vdb", ::testing::TempDir(), getpid());
   ~Scratch() { std::remove(path.c_str()); }
   void write(const openvdb::GridPtrVec &grids) const
   {

@@ -13,7 +13,7 @@ import scenes
 import surfaces
 from compare import _say, compare_dumps
 from lammps import GPUDEM, StylesTest, make_tests
-from tolerance import DOUBLE, DRUM_FACETS, MIXED, ROLLING_MIXED, SERVO, WALL_SUMS, WALL_WEIGHT
+from tolerance import DOUBLE, DOUBLE_LONG, DRUM_FACETS, MIXED, ROLLING_MIXED, SERVO, WALL_SUMS, WALL_WEIGHT
 
 NVE = "fix move all nve/sphere\n"
 DOWN = "fix down all gravity 10.0 vector 1.0 2.0 -9.0\n"
@@ -287,7 +287,7 @@ class Servo(SurfaceTest):
         data = ("cloud.data", single((0.1, 0.2, 0.5)))
         law = f"hooke {kn} NULL 400.0 20.0 0.5 1"
         text = scenes.scene(NVE + f"fix floor all wall/gran {law} zplane 0 NULL\n"
-                            f"fix w all wall/gran/sdf {law} surface s.stl servo force 0 0 -1 30.0 0.5 5\n",
+                            f"fix w all wall/gran/sdf {law} surface s.stl servo force 0 0 -1 30.0 0.5 5 gain 2.0e-4\n",
                             boundary="f f f", steps=12000, every=12000, thermo="step f_w[3] f_w[12] f_w[13]")
         lid = surfaces.binary_stl(surfaces.sheet((-2, -2, 1.0625), (4, 0, 0), (0, 4, 0), 2))
         for mode in self.modes:
@@ -394,15 +394,100 @@ class Continuation(SurfaceTest):
             compare_dumps(self, {s: a[s] for s in a if s > 100}, {s: ours[s] for s in ours if s > 100}, DOUBLE,
                           what=f"{writer} to {reader}")
 
-    def test_ranks(self):
-        """Grains take their contacts along from rank to rank; the sums are those of all ranks."""
-        text = scenes.scene(self.fixes, boundary="f f f", thermo=Sums.thermo)
-        data = ("cloud.data", scenes.cloud(**BOXED))
-        one = self.run_mode("host", text, [data, self.stl])
-        four = self.run_lammps(text, [data, self.stl], executable=GPUDEM, ranks=4)
-        compare_dumps(self, one.dump(), four.dump(), DOUBLE)
-        a, b = one.thermo()[0][1], four.thermo()[0][1]
-        self.assertLess(np.abs(a - b).max(), DOUBLE.thermo * np.abs(a).max())
+
+class Ranks(SurfaceTest):
+    """Several ranks, each with its part of the grains: the answer of one, on the host and resident."""
+    modes = ("host", "double")
+    fall = NVE + "fix down all gravity 10.0 vector 0 0 -1\n"
+    sheet = surfaces.binary_stl(surfaces.sheet((-20.0, -20.0, 0.0), (40.0, 0, 0), (0, 40.0, 0), 9))
+
+    def check(self, text, files, ranks=(2, 4), look=None):
+        """Dumps, output of the fix, and what \\p look finds in the directory of a run."""
+        for mode in self.modes:
+            one = self.run_mode(mode, text, files)
+            for n in ranks:
+                many = self.run_mode(mode, text, files, name=f"{n}-ranks", ranks=n)
+                what = f"{mode}, {n} ranks"
+                compare_dumps(self, one.dump(), many.dump(), DOUBLE_LONG, what=what)
+                for (names, a), (_, b) in zip(one.thermo(), many.thermo()):
+                    scale = np.abs(a).max()
+                    self.assertLess(np.abs(a - b).max(), DOUBLE_LONG.thermo * scale, what)
+                for x, y in zip(look(one), look(many)) if look else ():
+                    self.assertLessEqual(np.abs(x - y).max(), DOUBLE_LONG.other * np.abs(x).max(), what)
+        return one
+
+    def belt(self):
+        """Grains on a belt that carries them over the borders of the ranks, each grain alone."""
+        x = [(-8.5 + 1.1 * k, y, 0.499) for k in range(15) for y in (-3.1, -0.9, 1.3, 3.5)]
+        return ("cloud.data", single(x, [(0.3, 0.4, 0), (-0.2, 0.1, 0)]))
+
+    def test_box_that_moves(self):
+        """Sums, and the contact of every grain, of a cloud in a box."""
+        fixes = NVE + DOWN + f"fix w all wall/gran/sdf {HISTORY} surface s.stl side inside move wiggle 0.2 0.1 0.3 0.02 " \
+                             "zones contacts\n"
+        parts = surfaces.box(LO, HI, 2).reshape(6, -1, 3, 3)
+        stl = ("s.stl", "".join(surfaces.ascii_stl(t, f"side{k}") for k, t in enumerate(parts)))
+        zones = " ".join(f"f_w[{z}][{k}]" for z in range(1, 7) for k in (1, 2, 3, 6, 7))
+        text = scenes.scene(fixes, boundary="f f f", columns=CONTACTS, thermo=Sums.thermo + " " + zones)
+        self.check(text, [("cloud.data", scenes.cloud(**BOXED)), stl])
+
+    def test_springs_go_along(self):
+        """Springs cross the borders with their grains: sticking, then sliding, on a belt that swings."""
+        text = scenes.scene(self.fall + f"fix w all wall/gran/sdf {HISTORY} surface s.stl move linear 4.0 0 0 "
+                            "move wiggle 0 0.05 0 0.1\n", boundary="f f f", steps=4000, every=2000, thermo=Sums.thermo)
+        one = self.check("processors * 1 1\n" + text, [self.belt(), ("s.stl", self.sheet)])
+        columns, atoms = one.dump()[4000]
+        moved = atoms[:, columns.index("xu")] - one.dump()[0][1][:, columns.index("xu")]
+        self.assertGreater(moved.min(), 0.15)
+
+    def test_servo(self):
+        """A lid on grains of all ranks: every rank moves it alike."""
+        law = "hooke 2.0e4 NULL 400.0 20.0 0.5 1"
+        data = ("cloud.data", single([(x, y, 0.5) for x in (-6, -2, 2, 6) for y in (-4.5, 4.5)]))
+        text = scenes.scene(NVE + f"fix floor all wall/gran {law} zplane 0 NULL\n"
+                            f"fix w all wall/gran/sdf {law} surface s.stl servo force 0 0 -1 30.0 0.5 5 gain 2.0e-4\n",
+                            boundary="f f f", steps=4000, every=1000, thermo="step f_w[3] f_w[12] f_w[13]")
+        lid = surfaces.binary_stl(surfaces.sheet((-8, -8, 1.0), (16, 0, 0), (0, 16, 0), 2))
+        one = self.check(text, [data, ("s.stl", lid)])
+        self.assertGreater(one.thermo()[0][1][-1][1], 20.0)
+
+    def test_faces_wear_and_restart(self):
+        """Files of faces; springs, wear and phase of a restart that other ranks go on with."""
+        fixes = self.fall + f"fix w all wall/gran/sdf {HISTORY} surface s.stl move linear 4.0 0 0 " \
+                            "faces 10 500 faces.*.vtk wear 1.0e-3\n"
+
+        def faces(run):
+            x, _, d = read_vtk(run.path("faces.1000.vtk").read_text())
+            return [x] + [d[name] for name in sorted(d)]
+        stl = ("s.stl", self.sheet)
+        text = scenes.scene(fixes, boundary="f f f", every=500, after="run 500\nwrite_restart state\nrun 500\n")
+        one = self.check(text, [self.belt(), stl], look=faces)
+        self.assertGreater(faces(one)[-2].max(), 0.0)
+        for mode in self.modes:
+            state = self.run_mode(mode, text, [self.belt(), stl], name="writer", ranks=4).path("state").read_bytes()
+            then = ("read_restart state\npair_style " + scenes.HOOKE_HISTORY + "\npair_coeff * *\nneighbor 0.05 bin\n"
+                    "neigh_modify delay 0 every 1 check yes\ntimestep 1.0e-4\n" + fixes + scenes.output(500) + "run 500\n")
+            ours = self.run_mode(mode, then, [("state", state), stl], name="reader", ranks=2)
+            compare_dumps(self, {1000: one.dump()[1000]}, {1000: ours.dump()[1000]}, DOUBLE_LONG, what=mode)
+            for x, y in zip(faces(one), faces(ours)):
+                self.assertLessEqual(np.abs(x - y).max(), DOUBLE_LONG.other * np.abs(x).max(), mode)
+
+    def test_ranks_without_grains(self):
+        """All grains on one rank of four, and a surface that most ranks never touch."""
+        data = ("cloud.data", single([(-8.0 + 0.3 * k, 1.2 * k - 6.0, 0.499) for k in range(8)], (0.5, 0.2, 0)))
+        text = scenes.scene(self.fall + f"fix w all wall/gran/sdf {HISTORY} surface s.stl zones move linear 1.0 0 0\n",
+                            boundary="f f f", steps=300, thermo=Sums.thermo + " f_w[1][3] f_w[1][7]")
+        one = self.check("processors * 1 1\n" + text, [data, ("s.stl", self.sheet)], ranks=(4,))
+        self.assertGreater(np.abs(one.thermo()[0][1][:, -1]).max(), 0.0, "no grain touches the surface")
+
+    def test_tunnelling_ends_every_rank(self):
+        files = [("cloud.data", single((0.3, 0.2, 0.45), (0, 0, -30.0))), ("s.stl", surfaces.binary_stl(floor(0.0, 3)))]
+        text = scenes.scene(NVE + "fix w all wall/gran/sdf hooke 100.0 NULL 0 0 0.5 0 surface s.stl\n", boundary="f f f",
+                            steps=1000)
+        for mode in self.modes:
+            run = self.run_mode(mode, text, files, ranks=4, succeed=False, timeout=60)
+            self.assertNotEqual(run.status, 0)
+            self.assertRegex(run.everything, "centre of atom 1 went through a wall of triangles")
 
 
 class Mistakes(SurfaceTest):

@@ -111,12 +111,12 @@ def lattice(random, spacing, spread, jitter, side=10):
     return x + random.uniform(-jitter, jitter, x.shape), random.uniform(0.5 - spread, 0.5 + spread, len(x))
 
 
-def cloud():
-    """10^3 spheres, solid fraction 0.48, friction and dashpots; two to three collisions each."""
+def cloud(xgt=0.0):
+    """10^3 spheres, solid fraction 0.48, friction and normal dashpots; a few collisions each."""
     random = np.random.default_rng(5)
     x, radius = lattice(random, 1.04, 0.01, 0.008)
     v = random.uniform(-1.0, 1.0, x.shape)
-    return Scene("cloud", x, v, random.uniform(-2.0, 2.0, x.shape), radius, 4, 0.8, 0.3, 0.9, box=(10.4,) * 3,
+    return Scene("cloud", x, v, random.uniform(-2.0, 2.0, x.shape), radius, 4, 0.8, 0.3, xgt, box=(10.4,) * 3,
                  note="10^3 grains, 4 collision times")
 
 

@@ -9,8 +9,8 @@
 /// Scene: E nu e xgt mu gravity floor(0/1) Lx Ly Lz (0: not periodic) count, then per sphere x y z vx vy vz wx wy wz radius mass.
 /// State: x (unwrapped) v w of each sphere, a line each.
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>

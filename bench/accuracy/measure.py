@@ -111,10 +111,11 @@ def settle(programs, scene):
 
 def rest(programs, scene, restart, precision, per_collision, steps):
     """What a bed at rest does when left alone: largest motion (diameters), weight on the floor (of the weight), speed."""
-    # the velocities are zero to begin with, and the springs those of the bed at rest
-    text = (scene.head(TC / per_collision, "read_restart restart.in") + DUMP.format(every=steps) +
+    # without rolling friction a grain may roll on for ever: all are stopped; the springs are those of the bed at rest
+    text = (scene.head(TC / per_collision, "read_restart restart.in") +
+            "velocity all set 0.0 0.0 0.0\nset group all omega 0.0 0.0 0.0\n" + DUMP.format(every=steps) +
             "compute push all reduce sum f_floor[4]\nthermo_style custom step ke c_push\n"
-            f"thermo_modify format float %.15g\nthermo {steps}\nrun {steps}\n")
+            f"thermo_modify norm no format float %.15g\nthermo {steps}\nrun {steps}\n")
     states, seconds, log, _ = programs.run(text, precision, [("restart.in", restart)])
     last = re.findall(r"^ *(\d+) +(\S+) +(\S+) *$", log, re.M)[-1]
     moved = states[-1][:, :3] - states[0][:, :3]

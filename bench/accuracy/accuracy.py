@@ -4,7 +4,7 @@
 """Error against run time: one CSV (accuracy.csv), from which plots.py draws the figures of doc/accuracy.md.
 
 Single collisions and 10^3 grains against a reference in extended precision at 1/64 of the smallest step, the energy of an elastic
-gas, a bed at rest; double and mixed, time steps of 1/5 to 1/200 of a collision, skins. About five minutes on two cores; --long
+gas, a bed at rest; double and mixed, time steps of 1/5 to 1/200 of a collision, skins. A few minutes; --long
 follows gas and bed for 10^6 steps.
 """
 import argparse

@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The GPUDEM developers
 """Momentum and angular momentum of a closed system of 10^4 grains, which nothing but their contacts acts on.
 
-pair granular: its torque arms end at the contact, so that contacts exchange angular momentum and make none. Hertz-Mindlin,
-friction and restitution 0.5; a cluster that turns, with random velocities and spins. 1000 steps; 10^5 with GPUDEM_LONG set.
+pair granular: its torque arms end at the contact, so that contacts exchange angular momentum and make none. Friction, dashpots and
+adhesion (dmt), which holds the cluster together, so that it never runs out of contacts; it turns, with random velocities and
+spins. 1000 steps; 10^5 with GPUDEM_LONG set.
 """
 import os
 import unittest
@@ -39,7 +40,7 @@ newton off
 comm_modify vel yes
 read_data data.cluster
 pair_style granular
-pair_coeff * * hertz/material 1.0e4 0.5 0.3 damping tsuji tangential mindlin NULL 1.0 0.5
+pair_coeff * * dmt 1.0e4 0.5 0.3 2.0 damping tsuji tangential mindlin NULL 1.0 0.5
 neighbor 0.1 bin
 neigh_modify delay 0 every 1 check yes
 timestep 1.0e-3
@@ -70,6 +71,8 @@ class Closed(Verification):
                 scale = np.linalg.norm(of(first), axis=1).sum()   # of all magnitudes
                 for name, a, b in zip("xyz", after, before):
                     self.check(code, f"{what} {name}", a, b, bound, scale=scale)
+            extent = np.linalg.norm(last[:, X] - last[:, X].mean(0), axis=1)
+            self.assertLess(np.median(extent), 1.5 * SIDE * RADIUS, "the grains must still touch each other")
             spread = np.linalg.norm(last[:, V] - first[:, V], axis=1).mean() / np.linalg.norm(first[:, V], axis=1).mean()
             self.assertGreater(spread, 0.1, "the grains must have collided")
 

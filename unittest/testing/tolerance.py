@@ -145,3 +145,6 @@ PARTICLE_SHARE = 1.5        # grains: a position on a cut may round to the other
 
 # Random scripts: 200 steps of dense, partly very fast grains; round-off grows by about ten per collision.
 FUZZ = _uniform(1e-7, "double: round-off amplified by several collisions")
+
+# Hundreds of restart files in double precision: positions lose nothing, sums are regrouped at every start.
+CONTINUATIONS = _uniform(1e-7, "double: round-off of regrouped sums, amplified by several collisions")

@@ -42,6 +42,7 @@ class VerletGpudem : public Verlet {
   void leaveResident();
   void printPlan();
   void printLevels();
+  void printSurfaces();
   std::string describeRanks() const;
   void printGhosts();
 

@@ -139,6 +139,15 @@ void VerletGpudem::printLevels()
   utils::logmesg(lmp, line);
 }
 
+/// Tables are made when a surface is first used, or larger grains need a wider reach.
+void VerletGpudem::printSurfaces()
+{
+  for (const gpudem::SurfaceReport &s : state.engine().takeSurfaceReports())
+    if (comm->me == 0 && gpudemSettings(lmp).verbose)
+      utils::logmesg(lmp, fmt::format("  surface   : {} triangles, search tables of {:.3g} MB made in {:.2g} s\n", s.triangles,
+                                      1e-6 * static_cast<double>(s.bytes), s.seconds));
+}
+
 void VerletGpudem::setup(int flag)
 {
   plan = planResidentRun(lmp);
@@ -204,6 +213,7 @@ void VerletGpudem::setupResident(int flag)
   state.uploadAll(plan, FixNeighHistoryGpudem::Source::Elsewhere);
   state.rebuild();
   printLevels();
+  printSurfaces();
   rowsDue = false;
   lastRebuild = update->ntimestep;
 

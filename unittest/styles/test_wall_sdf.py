@@ -371,6 +371,7 @@ class Files(SurfaceTest):
                                 "scale 3.59375 translate 3.59375 3.59375 3.59375\n", **kw)
             run = self.run_mode("double", text, [data, (name, content)], name=name)
             compare_dumps(self, stock.dump(), run.dump(), DOUBLE, scenes.DIAMETER, what=name)
+            self.assertRegex(run.everything, r"surface   : \d+ triangles, search tables of [\d.e+-]+ MB made in [\d.e+-]+ s")
 
 
 class Continuation(SurfaceTest):

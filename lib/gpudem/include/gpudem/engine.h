@@ -132,6 +132,13 @@ struct NeighborReport {
   int partners = 0;                ///< ranks to which and from which messages go in a step
 };
 
+/// Search tables of a wall of triangles.
+struct SurfaceReport {
+  std::size_t triangles = 0;
+  std::size_t bytes = 0;
+  double seconds = 0;  ///< to make them
+};
+
 /// The resident state and its advance. One instance per simulation and rank; not thread-safe.
 ///
 /// With several ranks each engine holds the grains of its rank and ghosts of others within reach. setScene(), upload(),
@@ -149,6 +156,8 @@ class Engine {
   virtual Precision precision() const = 0;
   virtual MemoryReport memory() const = 0;
   virtual NeighborReport neighbors() const = 0;
+  /// Of the surfaces whose tables were made since the last call.
+  virtual std::vector<SurfaceReport> takeSurfaceReports() = 0;
 
   /// Share the box with other ranks, from the next upload() on. \p exchange outlives the engine; null: one rank.
   virtual void joinRanks(RankExchange *exchange) = 0;

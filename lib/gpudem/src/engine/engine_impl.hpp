@@ -29,6 +29,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace gpudem {
@@ -46,6 +47,7 @@ class EngineImpl final : public Engine {
   Precision precision() const override { return precision_; }
   MemoryReport memory() const override;
   NeighborReport neighbors() const override { return report_; }
+  std::vector<SurfaceReport> takeSurfaceReports() override { return std::exchange(surfaceReports_, {}); }
 
   void joinRanks(RankExchange *exchange) override { layer_.join(exchange); }
   void setHome(const Home &home) override { home_ = home; }
@@ -233,6 +235,7 @@ class EngineImpl final : public Engine {
   std::vector<std::uint8_t> wallSweeps_;                   ///< a region that changes its place
   std::vector<Array<RegionShape>> regionShapes_;           ///< per wall, empty for planes and cylinders
   std::vector<SurfaceWall> surfaces_;                      ///< per wall
+  std::vector<SurfaceReport> surfaceReports_;              ///< not yet handed out
   std::vector<Array<Vec3<Real>>> regionLoad_;              ///< [n] forces, [n] torques of a region or surface
   std::vector<Array<Vec3<Real>>> termBefore_;
   std::vector<Array<Real>> wallHistory_, wallContacts_, drag_;

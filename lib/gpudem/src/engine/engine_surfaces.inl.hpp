@@ -5,6 +5,8 @@
 
 #include "engine/engine_impl.hpp"
 
+#include <chrono>
+
 namespace gpudem {
 
 /// The tables of the surfaces; those of the scene before are kept where mesh and side are the same and the reach
@@ -33,7 +35,10 @@ void EngineImpl<Exec, P>::setSurfaces()
     s.mesh = wall.surface;
     s.side = wall.surfaceSide;
     if (!s.surface) {
+      const auto start = std::chrono::steady_clock::now();
       s.surface = std::make_shared<const Surface>(*wall.surface, reach, wall.surfaceSide);
+      surfaceReports_.push_back({wall.surface->triangle.size(), s.surface->bytes(),
+                                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
       s.lo = {INFINITY, INFINITY, INFINITY};
       s.hi = s.lo * -1.0;
       for (const auto &p : wall.surface->vertex)

@@ -287,7 +287,7 @@ class Servo(SurfaceTest):
         data = ("cloud.data", single((0.1, 0.2, 0.5)))
         law = f"hooke {kn} NULL 400.0 20.0 0.5 1"
         text = scenes.scene(NVE + f"fix floor all wall/gran {law} zplane 0 NULL\n"
-                            f"fix w all wall/gran/sdf {law} surface s.stl servo force 0 0 -1 30.0 0.5 5 gain 2.0e-4\n",
+                            f"fix w all wall/gran/sdf {law} surface s.stl servo force 0 0 -1 30.0 0.5 5\n",
                             boundary="f f f", steps=12000, every=12000, thermo="step f_w[3] f_w[12] f_w[13]")
         lid = surfaces.binary_stl(surfaces.sheet((-2, -2, 1.0625), (4, 0, 0), (0, 4, 0), 2))
         for mode in self.modes:

@@ -55,7 +55,7 @@ TEST(InnerListTest, KeepsItsPlanWhenStepsChangeLittle)
 TEST(CommonDriftTest, FollowsTheMiddleOfTheVelocities)
 {
   CommonDrift drift;
-  drift.start({{8.0f, -1.0f, 0.0f}, {12.0f, 1.0f, 0.0f}}, 1e-3, 0.1);
+  drift.start({{8.0f, -1.0f, 0.0f}, {12.0f, 1.0f, 0.0f}}, 1e-3, 0.1, 0.2);
   EXPECT_DOUBLE_EQ(drift.perStep().x, 1e-2);
   EXPECT_DOUBLE_EQ(drift.perStep().y, 0.0);
   EXPECT_GT(drift.room(), 0.0);
@@ -69,7 +69,7 @@ TEST(CommonDriftTest, FollowsTheMiddleOfTheVelocities)
 TEST(CommonDriftTest, StaysWhereGrainsMoveAllWays)
 {
   CommonDrift drift;
-  drift.start({{-5.0f, -5.0f, -5.0f}, {5.1f, 5.0f, 5.0f}}, 1e-3, 0.1);
+  drift.start({{-5.0f, -5.0f, -5.0f}, {5.1f, 5.0f, 5.0f}}, 1e-3, 0.1, 0.2);
   EXPECT_EQ(drift.room(), 0.0);
   EXPECT_EQ(dot(drift.perStep(), drift.perStep()), 0.0);
   drift.drifted(100000);

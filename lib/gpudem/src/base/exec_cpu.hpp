@@ -4,9 +4,11 @@
 #pragma once
 
 #include "base/buffer.hpp"
+#include "base/saturated.hpp"
 #include "gpudem/errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -69,16 +71,23 @@ class CpuExec {
     return total;
   }
 
-  /// out[i] = sum of in[0 .. i-1]; out has count + 1 entries. \return the total
-  std::uint64_t exclusiveScan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count) const
+  /// out[k] = sum of in[0 .. k-1], at most 2^32 - 1; out has count + 1 entries.
+  void scan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count) const
   {
-    std::uint64_t sum = 0;
+    std::uint32_t sum = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-      out[i] = static_cast<std::uint32_t>(sum);
-      sum += in[i];
+      out[i] = sum;
+      sum = AddSaturated{}(sum, in[i]);
     }
-    out[count] = static_cast<std::uint32_t>(sum);
-    return sum;
+    out[count] = sum;
+  }
+  /// Two numbers of the device's memory.
+  std::array<std::uint32_t, 2> read(const std::uint32_t *a, const std::uint32_t *b) const { return {*a, *b}; }
+  /// scan(), and its total; 2^32 - 1 stands for that and all above.
+  std::uint32_t exclusiveScan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count) const
+  {
+    scan(in, out, count);
+    return out[count];
   }
 
   /// Stable sort of keys below \p range. \p order[k] is the old index of the k-th smallest.

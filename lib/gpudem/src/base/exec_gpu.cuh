@@ -5,6 +5,7 @@
 
 #include "base/buffer.hpp"
 #include "base/identity.hpp"
+#include "base/saturated.hpp"
 #include "gpudem/errors.h"
 
 #include <cub/cub.cuh>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 #include <thrust/iterator/counting_iterator.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -139,23 +141,30 @@ class GpuExec {
     return host;
   }
 
-  std::uint64_t exclusiveScan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count)
+  /// out[k] = sum of in[0 .. k-1], at most 2^32 - 1; out has count + 1 entries.
+  void scan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count)
   {
-    if (count == 0) {
-      check(cudaMemset(out, 0, sizeof(std::uint32_t)), "clearing a scan");
-      return 0;
-    }
+    check(cudaMemsetAsync(out, 0, sizeof(std::uint32_t)), "clearing a scan");
+    if (count == 0) return;
     std::size_t bytes = 0;
-    check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in, out, count), "sizing a scan");
+    check(cub::DeviceScan::InclusiveScan(nullptr, bytes, in, out + 1, AddSaturated{}, count), "sizing a scan");
     scratch_.reserve(bytes);
-    check(cub::DeviceScan::ExclusiveSum(scratch_.data(), bytes, in, out, count), "scanning");
-    std::uint32_t last[2];
-    check(cudaMemcpy(&last[0], out + count - 1, 4, cudaMemcpyDeviceToHost), "reading a scan");
-    check(cudaMemcpy(&last[1], in + count - 1, 4, cudaMemcpyDeviceToHost), "reading a scan");
-    const std::uint64_t total = static_cast<std::uint64_t>(last[0]) + last[1];
-    const std::uint32_t narrow = static_cast<std::uint32_t>(total);
-    check(cudaMemcpy(out + count, &narrow, 4, cudaMemcpyHostToDevice), "finishing a scan");
-    return total;
+    check(cub::DeviceScan::InclusiveScan(scratch_.data(), bytes, in, out + 1, AddSaturated{}, count), "scanning");
+  }
+  /// Two numbers of the device's memory.
+  std::array<std::uint32_t, 2> read(const std::uint32_t *a, const std::uint32_t *b)
+  {
+    read_.reserve(2);
+    check(cudaMemcpyAsync(read_.data(), a, sizeof *a, cudaMemcpyDeviceToHost), "reading a number");
+    check(cudaMemcpyAsync(read_.data() + 1, b, sizeof *b, cudaMemcpyDeviceToHost), "reading a number");
+    synchronize();
+    return {read_.data()[0], read_.data()[1]};
+  }
+  /// scan(), and its total; 2^32 - 1 stands for that and all above.
+  std::uint32_t exclusiveScan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count)
+  {
+    scan(in, out, count);
+    return read(out + count, out + count)[0];
   }
 
   void sort(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order, std::uint32_t count,
@@ -164,8 +173,10 @@ class GpuExec {
     int bits = 1;
     while (bits < 32 && (1ull << bits) < range) ++bits;
     thrust::counting_iterator<std::uint32_t> first(0);
-    identity_.reserve(count);
-    forEach(count, IdentityValues{identity_.data()});
+    if (identity_.capacity() < count) {
+      identity_.reserve(count);
+      forEach(static_cast<std::uint32_t>(identity_.capacity()), IdentityValues{identity_.data()});
+    }
     std::size_t bytes = 0;
     check(cub::DeviceRadixSort::SortPairs(nullptr, bytes, key.data(), keyOut.data(), identity_.data(), order.data(),
                                           count, 0, bits),
@@ -201,6 +212,7 @@ class GpuExec {
   Array<unsigned char> scratch_{"scratch of CUB"};
   Array<unsigned char> result_{"result of a reduction"};
   Array<std::uint32_t> identity_{"identity permutation"};
+  HostArray<std::uint32_t> read_{"numbers read back"};
 };
 
 }  // namespace gpudem

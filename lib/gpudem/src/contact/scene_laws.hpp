@@ -56,12 +56,16 @@ inline double surfaceRoom(const SceneSpec &scene)
 {
   return scene.skin;
 }
-/// Gap within which a grain counts as near a surface: what the wall pulls across, what the surface may move, and what
-/// the grain may, half the skin and the common drift of all grains (distance).
-inline double surfaceMargin(const WallSpec &wall, const SceneSpec &scene)
+/// How far a grain may move, at most, while it counts as near a surface or not (distance).
+inline double surfaceGrainRoom(const SceneSpec &scene)
 {
-  constexpr double grainSkins = 2.5;  // CommonDrift::room() is two skins at most
-  return wallPullOffGap(wall, scene.largestRadius) + grainSkins * scene.skin + surfaceRoom(scene);
+  return 2.5 * scene.skin;
+}
+/// Largest gap within which a grain may count as near a surface: what the wall pulls across, what the surface may move,
+/// and what the grain may (distance).
+inline double largestSurfaceMargin(const WallSpec &wall, const SceneSpec &scene)
+{
+  return wallPullOffGap(wall, scene.largestRadius) + surfaceGrainRoom(scene) + surfaceRoom(scene);
 }
 
 /// Numbers that a wall keeps per contact, without the flag of adhesion.

@@ -192,7 +192,7 @@ std::uint32_t GhostLayer<Exec, P>::select(Exec &exec, std::uint32_t count, Selec
   flag_.reserveWithSlack(count);
   place_.reserveWithSlack(static_cast<std::size_t>(count) + 1);
   exec.forEach(count, MarkBoundary<P>{s, flag_.data()});
-  const auto size = static_cast<std::uint32_t>(exec.exclusiveScan(flag_.data(), place_.data(), count));
+  const std::uint32_t size = exec.exclusiveScan(flag_.data(), place_.data(), count);
   boundary_.reserveWithSlack(size);
   exec.forEach(count, ListMarked{flag_.data(), place_.data(), nullptr, 1, boundary_.data()});
 
@@ -203,7 +203,7 @@ std::uint32_t GhostLayer<Exec, P>::select(Exec &exec, std::uint32_t count, Selec
   flag_.reserveWithSlack(std::max(items, partners + 1));
   place_.reserveWithSlack(pairs + 1);
   exec.forEach(items, MarkSent<P>{s, boundary_.data(), size, flag_.data()});
-  sent_ = static_cast<std::uint32_t>(exec.exclusiveScan(flag_.data(), place_.data(), items));
+  sent_ = exec.exclusiveScan(flag_.data(), place_.data(), items);
   index_.reserveWithSlack(sent_);
   exec.forEach(items, ListMarked{flag_.data(), place_.data(), boundary_.data(), size, index_.data()});
 
@@ -229,7 +229,7 @@ void GhostLayer<Exec, P>::divideUnits(Exec &exec, std::uint32_t count, std::uint
   interior_.reserveWithSlack(units_);
   exec.fill(flag_.data(), units_, 0);
   exec.forEach(sent_, MarkUnits{index_.data(), unit, flag_.data()});
-  borderUnits_ = static_cast<std::uint32_t>(exec.exclusiveScan(flag_.data(), place_.data(), units_));
+  borderUnits_ = exec.exclusiveScan(flag_.data(), place_.data(), units_);
   exec.forEach(units_, ListMarked{flag_.data(), place_.data(), nullptr, 1, border_.data()});
   exec.forEach(units_, InvertFlags{flag_.data()});
   exec.exclusiveScan(flag_.data(), place_.data(), units_);

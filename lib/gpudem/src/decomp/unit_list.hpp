@@ -17,21 +17,6 @@ struct UnitList {
 };
 
 template <class F>
-struct OnWarps {
-  using Shared = typename F::Shared;
-  static constexpr int blockSize = F::blockSize;
-  static constexpr int minimumBlocks = F::minimumBlocks;
-  F f;
-  const std::uint32_t *warp;
-  std::uint32_t count;  ///< grains
-  GPUDEM_HD void operator()(std::uint32_t k, bool, Shared &shared) const
-  {
-    const std::uint32_t i = warp[k / 32] * 32 + k % 32;
-    f(i, i < count, shared);
-  }
-};
-
-template <class F>
 struct OnChunks {
   F f;
   const std::uint32_t *chunk;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/buffer.hpp"
+#include "base/saturated.hpp"
 #include "contact/derive.hpp"
 #include "contact/scene_laws.hpp"
 #include "decomp/ghost_layer.hpp"
@@ -97,6 +98,10 @@ class EngineImpl final : public Engine {
     SurfaceView view{};
     Vec3<double> lo{}, hi{};  ///< box of the mesh in the frame of the body (distance)
     bool marked = false;      ///< the grains near it are known
+    Array<std::uint32_t> near{"grains near a surface"};  ///< [n] 1 or 0
+    Array<std::uint32_t> nearGrain{"grains near a surface (2)"}, nearNodes{"nodes near grains"},
+        nearSlots{"contacts of near grains"};
+    std::uint32_t nearGrains = 0;
     BodyPose markedAt{};      ///< and were found here
     Touches touches;
   };
@@ -123,6 +128,8 @@ class EngineImpl final : public Engine {
   void launchLaw(const StepView<P> &v);
   template <class Law, StepMode mode, WallUse walls>
   void launchLawAndWalls(const StepView<P> &v);
+  bool hasSurfaces() const;
+  double mostRoomOfDrift() const;
   void setLaws();
   void setRegions();
   WallView<Real> wallView(std::size_t w, std::int64_t step);

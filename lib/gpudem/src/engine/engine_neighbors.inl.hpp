@@ -48,13 +48,13 @@ void EngineImpl<Exec, P>::extractSprings()
   uintScratch_.reserve(count_ + 1);
   table_.countSprings(exec_, count_, uintScratch_.data());
   storeOffset_.reserve(count_ + 1);
-  const std::uint64_t total = exec_.exclusiveScan(uintScratch_.data(), storeOffset_.data(), count_);
-  if (total >> 32) throw Error(fmt::format("{} contacts exceed the 32-bit index of the contact store", total));
+  const std::size_t total = exec_.exclusiveScan(uintScratch_.data(), storeOffset_.data(), count_);
+  if (total == saturated) throw Error("the contacts exceed the 32-bit index of the contact store");
   storePartner_.reserveWithSlack(total);
-  storeSpring_.reserveWithSlack(static_cast<std::size_t>(layout_.size) * total);
+  storeSpring_.reserveWithSlack(layout_.size * total);
   table_.extractSprings(exec_, count_, tag_.data(), storeOffset_.data(), layout_.mirror, storePartner_.data(),
                         storeSpring_.data());
-  sortStore();
+  if (table_.mayHoldMore(longestUnsortedRow)) sortStore();
 }
 
 /// What the search for a partner in a long row relies on.
@@ -91,17 +91,33 @@ void EngineImpl<Exec, P>::rebuild(const Box &box)
 template <class Exec, class P>
 void EngineImpl<Exec, P>::adaptSkin(const Box &box)
 {
-  constexpr std::uint32_t mostGrains = 1000000;
+  constexpr std::uint32_t mostGrains = 16000000;
   constexpr int few = 100, many = 400;  // steps
   const int lasted = drift_.steps();
   const bool worn = wornOut_;
   wornOut_ = false;
   if (!Exec::onGpu || !worn || layer_.joined() || count_ > mostGrains || (lasted >= few && lasted <= many)) return;
-  const double skin = lasted < few ? std::min(1.5 * skin_, 3.0 * scene_.skin) : std::max(skin_ / 1.5, scene_.skin);
+  const double widest = (hasSurfaces() ? 2.0 : 3.0) * scene_.skin;  // see mostRoomOfDrift()
+  const double skin = lasted < few ? std::min(1.5 * skin_, widest) : std::max(skin_ / 1.5, scene_.skin);
   for (int d = 0; d < box.dimension; ++d)
     if (box.periodic[d] && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_, skin)) return;
   skin_ = skin;
   anchorRule_ = chooseAnchors(frame_, skin_);
+}
+
+template <class Exec, class P>
+bool EngineImpl<Exec, P>::hasSurfaces() const
+{
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w)
+    if (isSurface(w)) return true;
+  return false;
+}
+
+/// How far the common motion may carry all grains between two rebuilds (distance). The tables of a surface reach so far.
+template <class Exec, class P>
+double EngineImpl<Exec, P>::mostRoomOfDrift() const
+{
+  return hasSurfaces() ? surfaceGrainRoom(scene_) - skin_ : 2.0 * skin_;
 }
 
 /// Coordinates in other windows: a box that grew a lot has larger cells, and a window must span several.
@@ -160,7 +176,7 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
 
   const VelocityRange range = velocities();
   if (layer_.joined()) exchangeGrains();
-  if (home_.commonMotion) drift_.start(range, scene_.timestep, skin_);
+  if (home_.commonMotion) drift_.start(range, scene_.timestep, skin_, mostRoomOfDrift());
   else drift_.forget();
   buildTable();
   setAnchors();

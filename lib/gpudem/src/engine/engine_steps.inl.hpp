@@ -203,9 +203,7 @@ void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
 {
   if constexpr (Exec::onGpu) {
     using Kernel = WarpContacts<P, Law, mode, walls>;
-    if constexpr (mode == StepMode::Fused)
-      if (part_) return exec_.forEachWarp(32 * part_->count, OnWarps<Kernel>{Kernel{v}, part_->unit, count_});
-    exec_.forEachWarp(count_, Kernel{v});
+    exec_.forEachWarp(part_ ? 32 * part_->count : count_, Kernel{v, part_ ? part_->unit : nullptr});
   } else {
     using Kernel = ContactChunk<P, Law, mode, walls>;
     if (part_) return exec_.forEachChunk(part_->count, OnChunks<Kernel>{Kernel{v, table_.view()}, part_->unit});
@@ -260,7 +258,7 @@ void EngineImpl<Exec, P>::launchRegions(const StepView<P> &v, const StepInputs &
   markNearSurfaces(v, in);  // the bit that says near is the same for all walls of their own launch
   for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
     if (isRegion(w)) exec_.forEach(count_, regionStep(v, w, in));
-    if (isSurface(w)) exec_.forEach(count_, surfaceStep(v, w, in));
+    if (isSurface(w)) exec_.forEach(surfaces_[w].nearGrains, surfaceStep(v, w, in));
   }
 }
 

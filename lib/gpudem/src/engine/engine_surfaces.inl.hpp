@@ -23,7 +23,7 @@ void EngineImpl<Exec, P>::setSurfaces()
     if (wall.mostContacts < 1 || wall.mostContacts > maxSurfaceSlots)
       throw Error(fmt::format("a surface of {} contacts per grain; 1 to {} are possible", wall.mostContacts,
                               maxSurfaceSlots));
-    const double reach = scene_.largestRadius + surfaceMargin(wall, scene_);
+    const double reach = scene_.largestRadius + largestSurfaceMargin(wall, scene_);
     for (SurfaceWall &old : before)
       if (old.mesh == wall.surface && old.side == wall.surfaceSide && old.surface->reach() >= reach) {
         s.surface = old.surface;
@@ -70,10 +70,17 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     if (!isSurface(w)) continue;
     SurfaceWall &s = surfaces_[w];
     const SurfaceAt at = surfaceAt(w, in);
-    if (s.marked && largestMove(at.pose, s.markedAt, s.lo, s.hi) <= surfaceRoom(scene_)) continue;
+    // what turns moves the grains around it farther than itself, seen from the body
+    const Vec3<double> grain = Vec3<double>{1.0, 1.0, 1.0} * s.surface->reach();
+    if (s.marked && largestMove(at.pose, s.markedAt, s.lo - grain, s.hi + grain) <= surfaceRoom(scene_)) continue;
+    // a grain may be half a skin from where it was when the rows were built, and go as far to the other side
+    const bool fresh = drift_.steps() == 0;
+    const double room = (fresh ? 0.5 : 1.0) * skin_ + drift_.room() + surfaceRoom(scene_);
     s.marked = true;
     s.markedAt = at.pose;
+    s.near.reserve(count_);
     MarkNearSurface<P> m{};
+    m.count = count_;
     m.sequence = v.sequence;
     m.status = v.status;
     m.position = v.in;
@@ -82,12 +89,23 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     m.grid = v.grid;
     m.frame = v.frame;
     m.role = roles_.of(scene_.walls[w].groupMask);
-    m.margin = surfaceMargin(scene_.walls[w], scene_);
+    m.margin = wallPullOffGap(scene_.walls[w], scene_.largestRadius) + room;
     m.at = at;
     m.history = wallHistory_[w].data();
     m.historySize = wallSize_[w];
+    m.load = regionLoad_[w].data();
     m.anchor = anchor_.data();
+    m.fresh = fresh;
+    m.near = s.near.data();
     exec_.forEach(count_, m);
+    uintScratch_.reserve(static_cast<std::size_t>(count_) + 1);
+    s.nearGrains = exec_.exclusiveScan(s.near.data(), uintScratch_.data(), count_);
+    s.nearGrain.reserveWithSlack(s.nearGrains);
+    s.nearNodes.reserveWithSlack(static_cast<std::size_t>(ListedNodes::most) * s.nearGrains);
+    exec_.forEach(count_, ListMarked{s.near.data(), uintScratch_.data(), nullptr, 1, s.nearGrain.data()});
+    s.nearSlots.reserveWithSlack(s.nearGrains);
+    exec_.forEach(s.nearGrains, ListNearNodes<P>{m, room, s.nearGrain.data(), s.nearGrains, scene_.walls[w].mostContacts,
+                                                 s.nearNodes.data(), s.nearSlots.data()});
   }
 }
 
@@ -101,7 +119,6 @@ SurfaceStep<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_
   r.status = v.status;
   r.position = v.in;
   r.motion = v.motionIn;
-  r.anchor = v.anchor;
   r.cell = v.cell;
   r.grid = v.grid;
   r.frame = v.frame;
@@ -116,6 +133,10 @@ SurfaceStep<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_
     if (term.wall == static_cast<int>(w)) break;
     if (term.kind == ForceTermKind::Enforce2d) r.flatRole |= roles_.of(term.groupMask);
   }
+  r.nearGrain = surfaces_[w].nearGrain.data();
+  r.nearNodes = surfaces_[w].nearNodes.data();
+  r.nearSlots = surfaces_[w].nearSlots.data();
+  r.nearGrains = surfaces_[w].nearGrains;
   r.load = regionLoad_[w].data();
   if (spec.recordTouches && v.sequence == 0) makeRoomForTouches(w, r);
   return r;

@@ -337,6 +337,7 @@ void EngineImpl<Exec, P>::uploadWallHistory(int wall, const double *spring)
   if (!count_ || !size) return;
   const double *in = stageIn(spring, static_cast<std::size_t>(size) * count_);
   exec_.forEach(count_, ImportBlocks<Real>{size, in, hostIndex_.data(), wallHistory_[wall].data()});
+  surfaces_[static_cast<std::size_t>(wall)].marked = false;  // with the slots that grains use
 }
 
 template <class Exec, class P>

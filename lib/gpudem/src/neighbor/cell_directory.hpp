@@ -143,7 +143,7 @@ class CellTable {
     end_.reserve(count);
     first_.reserve(static_cast<std::size_t>(count) + 1);
     exec.forEach(count, CellBegins{cell, end_.data()});
-    const auto occupied = static_cast<std::uint32_t>(exec.exclusiveScan(end_.data(), first_.data(), count));
+    const std::uint32_t occupied = exec.exclusiveScan(end_.data(), first_.data(), count);
     start_.reserveWithSlack(static_cast<std::size_t>(occupied) + 1);
     exec.forEach(count, CellStarts{cell, first_.data(), count, start_.data()});
     const std::uint32_t blocks = exec.reduce(occupied, BlockBegins{cell, start_.data()}, AddNumbers{}, 0u);

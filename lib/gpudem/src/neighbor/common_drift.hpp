@@ -41,8 +41,8 @@ class CommonDrift {
  public:
   void forget() { *this = CommonDrift(); }
 
-  /// The rows are new.
-  void start(const VelocityRange &range, double timestep, double skin)
+  /// The rows are new. \param mostRoom for room() (distance)
+  void start(const VelocityRange &range, double timestep, double skin, double mostRoom)
   {
     steps_ = 0;
     double spread2 = 0.0;
@@ -53,7 +53,7 @@ class CommonDrift {
     }
     const double common = std::sqrt(dot(step_, step_)), spread = std::sqrt(spread2);
     // the frame leaves the walls behind: what may reach them is marked with this much more room
-    room_ = std::min(2.0 * skin, 0.625 * skin * common / std::max(spread, 1e-9 * common));
+    room_ = std::min(mostRoom, 0.625 * skin * common / std::max(spread, 1e-9 * common));
     if (!(common > 0.1 * spread) || !std::isfinite(common)) {
       step_ = {0.0, 0.0, 0.0};
       room_ = 0.0;

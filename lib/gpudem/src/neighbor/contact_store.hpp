@@ -150,7 +150,7 @@ class StoreSorter {
     length_.reserve(count);
     first_.reserve(static_cast<std::size_t>(count) + 1);
     exec.forEach(count, LongRows{offset, length_.data()});
-    const auto m = static_cast<std::uint32_t>(exec.exclusiveScan(length_.data(), first_.data(), count));
+    const std::uint32_t m = exec.exclusiveScan(length_.data(), first_.data(), count);
     const LongRowContacts contacts{count, offset, first_.data()};
     for (auto *a : {&key_, &sorted_, &byPartner_, &byRow_}) a->reserveWithSlack(m);
     partner_.reserveWithSlack(m);

@@ -6,6 +6,7 @@
 /// that list round. Both orders depend on the order of the grains alone.
 #pragma once
 
+#include "base/saturated.hpp"
 #include "neighbor/cross_search.hpp"
 
 namespace gpudem {
@@ -86,10 +87,9 @@ class CrossLevels {
       found_.resize(chunks);
       exec.forEachChunk(chunks, FindCoarser<P>{v, first_.data(), found_.data()});
     }
-    const std::uint64_t pairs = exec.exclusiveScan(first_.data(), offset_.data(), n);
-    if (pairs >> 32) throw Error(fmt::format("{} pairs of grains of different levels exceed the 32-bit index", pairs));
-    const auto m = static_cast<std::uint32_t>(pairs);
-    for (auto *a : {&coarser_, &finer_, &sorted_, &order_}) a->reserveWithSlack(pairs);
+    const std::uint32_t m = exec.exclusiveScan(first_.data(), offset_.data(), n);
+    if (m == saturated) throw Error("the pairs of grains of different levels exceed the 32-bit index");
+    for (auto *a : {&coarser_, &finer_, &sorted_, &order_}) a->reserveWithSlack(m);
     if constexpr (Exec::onGpu) exec.forEach(n, ListCoarser<P>{v, offset_.data(), coarser_.data(), finer_.data()});
     else exec.forEachChunk(chunks, JoinCoarser{n, found_.data(), offset_.data(), coarser_.data(), finer_.data()});
     exec.sort(coarser_, sorted_, order_, m, n);

@@ -15,6 +15,8 @@ class PairTable {
 
   View view() { return chunks_.data(); }
   /// Pairs listed.
+  /// Can any row have more than \p contacts? The chunks do not know.
+  static bool mayHoldMore(std::uint32_t) { return true; }
   std::uint64_t entries() const
   {
     std::uint64_t n = 0;

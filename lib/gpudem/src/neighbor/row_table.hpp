@@ -3,10 +3,9 @@
 /// \file The neighbour table of the GPU: rows in slices of 32 grains. Same interface as pair_table.hpp.
 #pragma once
 
+#include "base/saturated.hpp"
 #include "gpudem/errors.h"
 #include "neighbor/rows.hpp"
-
-#include <fmt/format.h>
 
 namespace gpudem {
 
@@ -24,6 +23,8 @@ class RowTable {
   }
   /// Entries of all rows, padding included.
   std::uint64_t entries() const { return entries_; }
+  /// Can any row have more than \p contacts?
+  bool mayHoldMore(std::uint32_t contacts) const { return moreThanAWord_ || contacts < 32; }
   std::size_t bytes() const
   {
     return count_.bytes() + sliceEntries_.bytes() + sliceWords_.bytes() + start_.bytes() + maskStart_.bytes() +
@@ -43,10 +44,14 @@ class RowTable {
     maskStart_.reserve(slices + 1);
     exec.forEach(v.count, CountNeighbors<P>{v, count_.data()});
     exec.forEach(slices, SliceWidths<W>{v.count, count_.data(), sliceEntries_.data(), sliceWords_.data()});
-    entries_ = exec.exclusiveScan(sliceEntries_.data(), start_.data(), slices);
-    const std::uint64_t more = exec.exclusiveScan(sliceWords_.data(), maskStart_.data(), slices), words = v.count + more;
+    exec.scan(sliceEntries_.data(), start_.data(), slices);
+    exec.scan(sliceWords_.data(), maskStart_.data(), slices);
+    const std::array<std::uint32_t, 2> total = exec.read(start_.data() + slices, maskStart_.data() + slices);
     exec.forEach(slices + 1, AddToAll{v.count, maskStart_.data()});  // the first words of the rows come before
-    if (entries_ >> 32) throw Error(fmt::format("{} neighbour entries exceed the 32-bit index of the rows", entries_));
+    if (total[0] == saturated) throw Error("the neighbour entries exceed the 32-bit index of the rows");
+    entries_ = total[0];
+    moreThanAWord_ = total[1] != 0;
+    const std::uint64_t words = static_cast<std::uint64_t>(v.count) + total[1];
     neighbor_.reserveWithSlack(entries_);
     near_.reserveWithSlack(words);
     if (contacts) {
@@ -89,6 +94,7 @@ class RowTable {
       touch_{"touch bits"};
   Array<Real> spring_{"tangential springs"};
   std::uint64_t entries_ = 0;
+  bool moreThanAWord_ = true;  ///< a row has more than 32 entries
   int size_ = 0;  ///< numbers per contact
 };
 

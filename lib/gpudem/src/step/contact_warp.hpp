@@ -32,11 +32,13 @@ struct WarpContacts {
   };
 
   StepView<P> s;
+  const std::uint32_t *slices;  ///< that the launch is for, 32 grains each; null: all
 
-  /// All lanes of a warp call this together; \p i is the grain of the lane if \p inRange.
-  GPUDEM_HD void operator()(std::uint32_t i, bool inRange, Shared &shared) const
+  /// All lanes of a warp call this together; \p thread counts through the launch.
+  GPUDEM_HD void operator()(std::uint32_t thread, bool, Shared &shared) const
   {
-    const std::uint32_t lane = warpLane(), slice = i / W;
+    const std::uint32_t lane = warpLane(), slice = slices ? slices[thread / W] : thread / W, i = slice * W + lane;
+    const bool inRange = i < s.count;
     const std::uint32_t base = s.rows.start[slice], words = s.rows.words(slice, W);
     const CoarsePosition c = s.in.coarse[inRange ? i : s.count - 1];
     std::uint32_t near = !s.refresh && inRange ? s.rows.near[i] : 0u;

@@ -9,7 +9,7 @@
 
 namespace gpudem {
 
-/// One surface at one step: loads of the grains whose nearRegionBit is set.
+/// One surface at one step: loads of the grains near it.
 template <class P>
 struct SurfaceStep {
   using Real = typename P::Real;
@@ -20,7 +20,7 @@ struct SurfaceStep {
   Status *status;
   PositionArrays<P> position;
   const Motion<Real> *motion;
-  const std::uint32_t *anchor, *cell;
+  const std::uint32_t *cell;
   CellGrid grid;
   Frame frame;
   std::uint32_t flatRole;  ///< as in RegionStep
@@ -29,22 +29,29 @@ struct SurfaceStep {
   WallView<Real> wall;
   int mostContacts;
   SurfaceAt at;
-  Vec3<Real> *load;  ///< [n] forces, [n] torques
+  const std::uint32_t *nearGrain;  ///< grains near the surface
+  const std::uint32_t *nearNodes;  ///< [ListedNodes::most][nearGrains] see ListedNodes
+  std::uint32_t *nearSlots;        ///< [nearGrains] SurfaceSlots::inUse
+  std::uint32_t nearGrains;
+  Vec3<Real> *load;  ///< [n] forces, [n] torques; those of grains that are not near are zero
   const std::uint32_t *touchAt;  ///< [n] first place of a grain in \c touch
   SurfaceTouch *touch;           ///< mostContacts for every near grain, or null
 
-  GPUDEM_HD void operator()(std::uint32_t i) const
+  GPUDEM_HD void operator()(std::uint32_t k) const
   {
-    if (sequence > status->lastAllowed || !(anchor[i] & nearRegionBit)) return;
+    if (sequence > status->lastAllowed) return;
+    const std::uint32_t i = nearGrain[k];
     Motion<Real> m = motion[i];
     SurfaceLoad<Real> l{};
     if (m.word & wall.role) {
       if (m.word & flatRole) m.vz = m.wx = m.wy = Real(0);
       const FixedPosition p = loadPosition(position, i, m.word);
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
-      const SurfaceSlots<Real> slots{wall.history + static_cast<std::size_t>(wall.historySize) * i, mostContacts,
-                                     wall.historySize / mostContacts};
-      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance, touch ? touch + touchAt[i] : nullptr);
+      SurfaceSlots<Real> slots{wall.history + static_cast<std::size_t>(wall.historySize) * i, mostContacts,
+                               wall.historySize / mostContacts, nearSlots[k]};
+      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance, ListedNodes{nearNodes + k, nearGrains},
+                      touch ? touch + touchAt[i] : nullptr);
+      nearSlots[k] = slots.inUse;
       if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&status->crowded, i);
       if (l.trouble == SurfaceTrouble::Crossed) atomicLower(&status->crossed, i);
     }
@@ -96,13 +103,14 @@ struct PackTouches {
 };
 
 /// Which grains a surface may reach before the next rebuild, or before the surface has moved by its share of margin.
+/// The others feel nothing until then.
 template <class P>
 struct MarkNearSurface {
   using Real = typename P::Real;
   static constexpr int blockSize = 128;
   static constexpr int minimumBlocks = 1;
 
-  std::uint32_t sequence;
+  std::uint32_t count, sequence;
   const Status *status;
   PositionArrays<P> position;
   const Motion<Real> *motion;
@@ -114,20 +122,55 @@ struct MarkNearSurface {
   SurfaceAt at;
   Real *history;  ///< [n][historySize]
   int historySize;
+  Vec3<Real> *load;  ///< [n] forces, [n] torques
   std::uint32_t *anchor;
+  bool fresh;           ///< the rows are new, and \c near is not known
+  std::uint32_t *near;  ///< [n] 1 or 0
 
+  GPUDEM_HD Vec3<double> inBody(std::uint32_t i, const FixedPosition &p) const
+  {
+    return at.pose.toBody(absolutePosition(p, cell[i], grid, frame));
+  }
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     if (sequence > status->lastAllowed) return;
+    const bool mayKeep = fresh || near[i] != 0u;
+    near[i] = 0u;
     if (motion[i].word & role) {
       const FixedPosition p = loadPosition(position, i, motion[i].word);
-      const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
-      if (isNear(at.surface, at.pose.toBody(x), p.radius + margin)) {
+      if (isNear(at.surface, inBody(i, p), p.radius + margin)) {
+        near[i] = 1u;
         anchor[i] |= nearRegionBit;
         return;
       }
     }
-    for (int d = 0; d < historySize; ++d) history[static_cast<std::size_t>(historySize) * i + d] = Real(0);
+    const Vec3<Real> none{Real(0), Real(0), Real(0)};
+    load[i] = load[count + i] = none;
+    for (int d = 0; mayKeep && d < historySize; ++d) history[static_cast<std::size_t>(historySize) * i + d] = Real(0);
+  }
+};
+
+/// Where near grains will find the surface.
+template <class P>
+struct ListNearNodes {
+  static constexpr int blockSize = 128;
+  static constexpr int minimumBlocks = 1;
+
+  MarkNearSurface<P> mark;
+  double room;  ///< how far grain and surface may move (distance)
+  const std::uint32_t *grain;  ///< [grains]
+  std::uint32_t grains;
+  int mostContacts;
+  std::uint32_t *node;  ///< [ListedNodes::most][grains]
+  std::uint32_t *slots;  ///< [grains] SurfaceSlots::inUse
+
+  GPUDEM_HD void operator()(std::uint32_t k) const
+  {
+    if (mark.sequence > mark.status->lastAllowed) return;
+    const std::uint32_t i = grain[k];
+    const FixedPosition p = loadPosition(mark.position, i, mark.motion[i].word);
+    listNodes(mark.at.surface, mark.inBody(i, p), p.radius + mark.margin, room, node + k, grains);
+    slots[k] = slotsOf(mark.history + static_cast<std::size_t>(mark.historySize) * i, mostContacts, mark.historySize).inUse;
   }
 };
 
@@ -152,8 +195,8 @@ struct SurfaceTerms {
     Sums<7> r{};
     const std::uint32_t word = motion[i].word;
     if (!(anchor[i] & nearRegionBit) || !(word & role)) return r;
-    const SurfaceSlots<const Real> slots{history + static_cast<std::size_t>(historySize) * i, mostContacts,
-                                         historySize / mostContacts};
+    const SurfaceSlots<const Real> slots =
+        slotsOf(history + static_cast<std::size_t>(historySize) * i, mostContacts, historySize);
     for (int k = 0; k < mostContacts; ++k) r.value[6] += slots.used(k) ? 1.0 : 0.0;
     if (r.value[6] == 0.0) return r;
     const Vec3<double> x = absolutePosition(loadPosition(position, i, word), cell[i], grid, frame);

@@ -57,18 +57,18 @@ GPUDEM_HD bool withinReach(const TreeNode &n, const Vec3<float> &x, float reach2
   return sum <= reach2;
 }
 
-/// May a node whose box passed withinReach() hold a minimum of the distance from \p x?
-GPUDEM_HD bool mayHoldMinimum(const NormalCone &cone, const TreeNode &n, const Vec3<float> &x)
+/// May a node whose box passed withinReach() hold a minimum of the distance from a point within \p room of \p x?
+GPUDEM_HD bool mayHoldMinimum(const NormalCone &cone, const TreeNode &n, const Vec3<float> &x, float room = 0.0f)
 {
   if (cone.cosine == allNormals) return true;
   const Vec3<float> branch{x.x - 0.5f * (n.lo[0] + n.hi[0]), x.y - 0.5f * (n.lo[1] + n.hi[1]),
                            x.z - 0.5f * (n.lo[2] + n.hi[2])};
   const Vec3<float> size{n.hi[0] - n.lo[0], n.hi[1] - n.lo[1], n.hi[2] - n.lo[2]};
-  const float half2 = 0.25f * dot(size, size), away2 = dot(branch, branch) - half2;
+  const float half = 0.5f * squareRoot(dot(size, size)) + room, away2 = dot(branch, branch) - half * half;
   if (away2 <= 0.0f) return true;
   // angle of branch and axis <= half angle of the cone + that of the box seen from x, times |branch|
   const float along = branch.x * cone.axis[0] + branch.y * cone.axis[1] + branch.z * cone.axis[2];
-  const float needed = cone.cosine * squareRoot(away2) - cone.sine * squareRoot(half2);
+  const float needed = cone.cosine * squareRoot(away2) - cone.sine * half;
   return absolute(along) >= needed * 0.9999f - 1e-5f * squareRoot(away2);
 }
 
@@ -163,35 +163,101 @@ class MinimumList {
 
 enum class Wanted { All, Minima };
 
-/// Calls visit(triangle number, nearest point, squared distance) for triangles within \p reach of \p x, until it
-/// returns false; for Minima it may leave out triangles that hold no minimum of the distance.
-template <Wanted wanted = Wanted::All, class Visit>
-GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double reach, const Visit &visit)
+/// Squared \p reach for the boxes of single precision, which are rounded outward by as much as the coordinate.
+GPUDEM_HD float coarseReach2(double reach)
+{
+  return static_cast<float>(reach * reach) * 1.00001f;
+}
+
+/// Calls visit(node number) for nodes that hold triangles and may be within \p reach of \p x, until it returns false; for
+/// Minima it may leave out nodes that hold no minimum of the distance from any point within \p room of \p x.
+template <Wanted wanted, class Visit>
+GPUDEM_HD void visitNodes(const SurfaceView &s, const Vec3<double> &x, double reach, float room, const Visit &visit)
 {
   const std::uint32_t entry = entryNodes(s, x);
   if (entry == noNode) return;
   const Vec3<float> coarse = x.as<float>();
-  // rounding of the coordinate: the boxes are rounded outward by as much
-  const float reach2 = static_cast<float>(reach * reach) * 1.00001f;
+  const float reach2 = coarseReach2(reach);
   const std::uint32_t *roots = s.cellNodes + entry;
   for (std::uint32_t r = 1; r <= roots[0]; ++r) {
     const std::uint32_t end = s.node[roots[r]].skip;
     for (std::uint32_t n = roots[r]; n < end;) {
       const TreeNode &node = s.node[n];
       if (!withinReach(node, coarse, reach2) ||
-          (wanted == Wanted::Minima && !mayHoldMinimum(s.cone[n], node, coarse))) {
+          (wanted == Wanted::Minima && !mayHoldMinimum(s.cone[n], node, coarse, room))) {
         n = node.skip;
         continue;
       }
+      if (node.leaf != 0 && !visit(n)) return;
       ++n;
-      for (std::uint32_t k = node.leaf >> 3, last = k + (node.leaf & 7u); k < last; ++k) {
-        const SurfaceTriangle &t = s.triangle[k];
-        const TrianglePoint p =
-            nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
-        const double distance2 = dot(p.branch, p.branch);
-        if (distance2 < reach * reach && !visit(k, p, distance2)) return;
-      }
     }
+  }
+}
+
+/// Calls visit(triangle number, nearest point, squared distance) for the triangles of node \p n within \p reach of \p x.
+/// \return false once visit does
+template <class Visit>
+GPUDEM_HD bool visitTriangles(const SurfaceView &s, std::uint32_t n, const Vec3<double> &x, double reach,
+                              const Visit &visit)
+{
+  const std::uint32_t leaf = s.node[n].leaf;
+  for (std::uint32_t k = leaf >> 3, last = k + (leaf & 7u); k < last; ++k) {
+    const SurfaceTriangle &t = s.triangle[k];
+    const TrianglePoint p =
+        nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
+    const double distance2 = dot(p.branch, p.branch);
+    if (distance2 < reach * reach && !visit(k, p, distance2)) return false;
+  }
+  return true;
+}
+
+/// Calls visit(triangle number, nearest point, squared distance) for triangles within \p reach of \p x, until it
+/// returns false; for Minima it may leave out triangles that hold no minimum of the distance.
+template <Wanted wanted = Wanted::All, class Visit>
+GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double reach, const Visit &visit)
+{
+  visitNodes<wanted>(s, x, reach, 0.0f, [&](std::uint32_t n) { return visitTriangles(s, n, x, reach, visit); });
+}
+
+/// Nodes that may hold a minimum of the distance from a centre, wherever it has gone since they were listed.
+struct ListedNodes {
+  const std::uint32_t *first;  ///< null: not listed
+  std::uint32_t stride;
+
+  static constexpr std::uint32_t most = 12;
+  static constexpr std::uint32_t tooMany = noNode - 1;  ///< in the first place
+  GPUDEM_HD std::uint32_t node(std::uint32_t k) const { return first[static_cast<std::size_t>(stride) * k]; }
+};
+
+/// List the nodes that hold the minima within \p reach - \p room of any centre within \p room of \p x, in the order of a walk.
+GPUDEM_HD void listNodes(const SurfaceView &s, const Vec3<double> &x, double reach, double room, std::uint32_t *first,
+                         std::uint32_t stride)
+{
+  std::uint32_t found = 0;
+  visitNodes<Wanted::Minima>(s, x, reach, static_cast<float>(room) * 1.00001f, [&](std::uint32_t n) {
+    if (found == ListedNodes::most) {
+      first[0] = ListedNodes::tooMany;
+      return false;
+    }
+    first[static_cast<std::size_t>(stride) * found++] = n;
+    return true;
+  });
+  if (found < ListedNodes::most) first[static_cast<std::size_t>(stride) * found] = noNode;
+}
+
+/// visitNear<Wanted::Minima>() among the listed nodes, if there is a list.
+template <class Visit>
+GPUDEM_HD void visitMinima(const SurfaceView &s, const ListedNodes &listed, const Vec3<double> &x, double reach,
+                           const Visit &visit)
+{
+  if (!listed.first || listed.node(0) == ListedNodes::tooMany) return visitNear<Wanted::Minima>(s, x, reach, visit);
+  const Vec3<float> coarse = x.as<float>();
+  const float reach2 = coarseReach2(reach);
+  for (std::uint32_t k = 0; k < ListedNodes::most; ++k) {
+    const std::uint32_t n = listed.node(k);
+    if (n == noNode) return;
+    if (!withinReach(s.node[n], coarse, reach2) || !mayHoldMinimum(s.cone[n], s.node[n], coarse)) continue;
+    if (!visitTriangles(s, n, x, reach, visit)) return;
   }
 }
 
@@ -250,10 +316,11 @@ GPUDEM_HD bool isNear(const SurfaceView &s, const Vec3<double> &x, double reach)
 
 /// Contacts of a sphere of radius \p reach around \p x with the surface, with their weights.
 /// \pre reach <= s.reach
-GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, double reach, SurfaceContacts &out)
+GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, double reach, SurfaceContacts &out,
+                               const ListedNodes &listed = {})
 {
   MinimumList list(out);
-  visitNear<Wanted::Minima>(s, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+  visitMinima(s, listed, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
     const SurfaceTriangle &t = s.triangle[k];
     if (!isMinimum(s, t, p, x)) return true;
     SurfaceContact c;

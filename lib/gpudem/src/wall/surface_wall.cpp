@@ -88,8 +88,8 @@ WallSums SurfaceWall::apply(const HostParticles &p, const BodyMotion &motion, do
   WallSums sums;
   std::vector<SurfaceTouch> touch(spec.recordTouches ? static_cast<std::size_t>(spec.mostContacts) : 0);
   for (std::size_t i = 0; i < p.count; ++i) {
-    const SurfaceSlots<double> slots{kept + static_cast<std::size_t>(wall.historySize) * i, spec.mostContacts,
-                                     wall.historySize / spec.mostContacts};
+    SurfaceSlots<double> slots =
+        slotsOf(kept + static_cast<std::size_t>(wall.historySize) * i, spec.mostContacts, wall.historySize);
     if (!(static_cast<unsigned>(p.mask[i]) & spec.groupMask)) {
       for (int k = 0; k < slots.most; ++k) slots.clear(k);
       continue;
@@ -99,7 +99,7 @@ WallSums SurfaceWall::apply(const HostParticles &p, const BodyMotion &motion, do
     const Motion<double> m{v.x, v.y, v.z, p.mass[i], w.x, w.y, w.z, 0, 0};
     const SurfaceLoad<double> load = surfaceLoad(wall, at, slots, static_cast<std::uint32_t>(i),
                                                  static_cast<std::uint32_t>(p.count), x, p.radius[i], m, timestep,
-                                                 advance, spec.recordTouches ? touch.data() : nullptr);
+                                                 advance, ListedNodes{}, spec.recordTouches ? touch.data() : nullptr);
     for (SurfaceTouch &t : touch) {
       if (t.triangle == noTriangle) continue;
       t.tag = p.tag[i];

@@ -22,6 +22,7 @@ template <class Real>
 struct SurfaceSlots {
   Real *first;
   int most, size;
+  std::uint32_t inUse;  ///< a bit for each slot; the numbers of the others are zero
 
   GPUDEM_HD Real *at(int slot) const { return first + static_cast<std::size_t>(size) * slot; }
   GPUDEM_HD Vec3<double> direction(int slot) const
@@ -29,16 +30,25 @@ struct SurfaceSlots {
     const Real *s = at(slot);
     return Vec3<Real>{s[0], s[1], s[2]}.template as<double>();
   }
-  GPUDEM_HD bool used(int slot) const
-  {
-    const Vec3<double> n = direction(slot);
-    return dot(n, n) > 0.5;
-  }
-  GPUDEM_HD void clear(int slot) const
+  GPUDEM_HD bool used(int slot) const { return inUse >> slot & 1u; }
+  GPUDEM_HD void clear(int slot)
   {
     for (int d = 0; d < size; ++d) at(slot)[d] = Real(0);
+    inUse &= ~(1u << slot);
   }
 };
+
+/// The slots of a grain as its numbers \p kept tell them. \param wall maxSurfaceSlots contacts at most
+template <class Real>
+GPUDEM_HD SurfaceSlots<Real> slotsOf(Real *kept, int mostContacts, int historySize)
+{
+  SurfaceSlots<Real> slots{kept, mostContacts, historySize / mostContacts, 0u};
+  for (int k = 0; k < mostContacts; ++k) {
+    const Vec3<double> n = slots.direction(k);
+    if (dot(n, n) > 0.5) slots.inUse |= 1u << k;
+  }
+  return slots;
+}
 
 enum class SurfaceTrouble : std::uint32_t {
   None,
@@ -65,14 +75,13 @@ GPUDEM_HD bool crossedSheet(const SurfaceSlots<Real> &slots, const SurfaceContac
 /// Slots of the contacts: that of the contact each continues, or a free one, filled with a copy of what the contact
 /// that it comes from keeps, or with zeros. Slots that no contact uses are cleared.
 template <class Real>
-GPUDEM_HD void placeContacts(const SurfaceSlots<Real> &slots, const SurfaceContacts &c, double radius, bool checkSides,
+GPUDEM_HD void placeContacts(SurfaceSlots<Real> &slots, const SurfaceContacts &c, double radius, bool checkSides,
                              int *slot, SurfaceTrouble &trouble)
 {
+  if (c.count == 0 && slots.inUse == 0) return;
   Vec3<double> old[maxSurfaceSlots];
-  for (int k = 0; k < slots.most; ++k) {
-    old[k] = slots.direction(k);
-    if (dot(old[k], old[k]) < 0.5) old[k] = {1e3, 1e3, 1e3};  // far from every direction
-  }
+  for (int k = 0; k < slots.most; ++k)
+    old[k] = slots.used(k) ? slots.direction(k) : Vec3<double>{1e3, 1e3, 1e3};  // far from every direction
   const double chord2 = identityChord2(c, radius);
   int from[maxSurfaceSlots];
   std::uint32_t claimed = 0;
@@ -95,7 +104,8 @@ GPUDEM_HD void placeContacts(const SurfaceSlots<Real> &slots, const SurfaceConta
     for (int d = 0; d < directionNumbers; ++d) kept[d] = static_cast<Real>(c.contact[k].normal[d]);
   }
   for (int k = 0; k < slots.most; ++k)
-    if (!(claimed >> k & 1u)) slots.clear(k);
+    if (slots.used(k) && !(claimed >> k & 1u)) slots.clear(k);
+  slots.inUse = claimed;
 }
 
 /// What the law is given of one contact.
@@ -125,15 +135,15 @@ GPUDEM_HD Contact<Real> surfaceContact(const SurfaceContact &c, const Vec3<doubl
 /// Contacts that hold: those within touch, and adhesive ones that were there and are within the gap.
 template <class Real>
 GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
-                           const Vec3<double> &x, double radius, SurfaceContacts &c)
+                           const Vec3<double> &x, double radius, const ListedNodes &listed, SurfaceContacts &c)
 {
   bool holds = false;
   if (wall.flag) {
     holds = wall.model->beforeTouch;
-    for (int k = 0; k < slots.most; ++k) holds = holds || slots.at(k)[directionNumbers] != Real(0);
+    for (int k = 0; k < slots.most; ++k) holds = holds || (slots.used(k) && slots.at(k)[directionNumbers] != Real(0));
   }
   const double gap = holds ? static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(radius))) : 0.0;
-  surfaceContacts(s.surface, s.pose.toBody(x), radius + gap, c);
+  surfaceContacts(s.surface, s.pose.toBody(x), radius + gap, c, listed);
 }
 
 /// One contact in \p touch.
@@ -157,17 +167,18 @@ GPUDEM_HD void recordTouch(const SurfaceAt &s, const SurfaceContact &contact, co
 }
 
 /// Force and torque of all contacts; what they keep and the recorded contact (the deepest) are updated.
+/// \param listed where to look, if it is known
 /// \param touch [mostContacts] all contacts, those without force left as they are; null if not wanted
 template <class Real>
-GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
+GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const SurfaceAt &s, SurfaceSlots<Real> &slots,
                                         std::uint32_t i, std::uint32_t count, const Vec3<double> &x, double radius,
-                                        const Motion<Real> &m, Real dt, bool advance,
-                                        SurfaceTouch *touch = nullptr)
+                                        const Motion<Real> &m, Real dt, bool advance, const ListedNodes &listed,
+                                        SurfaceTouch *touch)
 {
   const Vec3<Real> none{Real(0), Real(0), Real(0)};
   SurfaceLoad<Real> load{none, none, SurfaceTrouble::None};
   SurfaceContacts c;
-  findHolding(wall, s, slots, x, radius, c);
+  findHolding(wall, s, slots, x, radius, listed, c);
   if (c.count > slots.most) {
     load.trouble = SurfaceTrouble::Crowded;
     c.count = slots.most;

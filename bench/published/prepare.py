@@ -130,8 +130,8 @@ def impact(arguments, count):
         write_state(os.path.join(arguments.folder, f"{name}.data"), f"{name}: published state", box, diameter, DENSITY["M1"], centres)
         return
     state = (box, diameter, DENSITY["M1"], stacked_bed(centres, diameter, count))
-    settle(arguments.lmp, arguments.folder, name, state, {"walls": walls, "material": "M1", "step": 1.5e-6, "drag": 5e-3, "damped": arguments.damped or 20000,
-                                                          "free": arguments.free or 10000})
+    settle(arguments.lmp, arguments.folder, name, state, {"walls": walls, "material": "M1", "step": 1.5e-6,
+                                                          "fall": arguments.fall or 21000, "rest": arguments.rest or 14000})
 
 
 def silo(arguments, orifice, material):
@@ -145,8 +145,8 @@ def silo(arguments, orifice, material):
     box = ((-0.14, 0.14), (-0.14, 0.14), (lip - 0.1, corners[:, 2].max() + 0.02))
     state = (box, SILO_GRAIN, DENSITY[material], silo_lattice(corners, SILO_GRAIN, SILO_GRAINS))
     settle(arguments.lmp, arguments.folder, f"silo_{orifice}_{material}", state, {
-        "walls": walls, "material": material, "lid": lip, "soft": arguments.soft or 14000, "step": 3e-6, "drag": 5e-3,
-        "damped": arguments.damped or 10000, "free": arguments.free or 10000})
+        "walls": walls, "material": material, "lid": lip, "soft": arguments.soft or 12000, "step": 3e-6,
+        "fall": arguments.fall or 8000, "rest": arguments.rest or 12000})
 
 
 CASES = {"impact_50k": (impact, 50_000), "impact_25k": (impact, 25_000), "impact_100k": (impact, 100_000),
@@ -160,8 +160,8 @@ def main():
     parser.add_argument("--lmp", default=os.path.join(HERE, "..", "..", "build", "lmp_gpudem"), help="with its own options")
     parser.add_argument("--cases", nargs="+", default=["impact_50k", "impact_100k", "silo_large_M1"], choices=sorted(CASES))
     parser.add_argument("--soft", type=int, help="steps of soft grains")
-    parser.add_argument("--damped", type=int, help="steps of the true material with drag")
-    parser.add_argument("--free", type=int, help="steps of the true material without drag")
+    parser.add_argument("--fall", type=int, help="steps of the true material with little drag")
+    parser.add_argument("--rest", type=int, help="steps of the true material with much drag")
     arguments = parser.parse_args()
     os.makedirs(arguments.folder, exist_ok=True)
     for name in arguments.cases:

@@ -255,4 +255,42 @@ TEST(SurfaceContact, ConesHideNoMinimum)
   EXPECT_LT(visited, 3 * all / 4);
 }
 
+/// A list made for a larger reach serves a centre that has moved by the difference, to the last bit; without room, too.
+TEST(SurfaceContact, listsOfNearTrianglesMissNothing)
+{
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> even(-1.0, 1.0);
+  const double reach = 0.2, margin = 0.05;
+  int full = 0, served = 0, empty = 0;
+  for (int shape = 0; shape < 3; ++shape) {
+    SurfaceMesh m = shape == 0 ? ball(1.0, 24) : shape == 1 ? tube(1.0, 2.0, 24, 4) : cube(1.5, 2);
+    tilt(m);
+    cleanSurface(m);
+    const Surface surface(m, reach + margin, SurfaceSide::Both);
+    const SurfaceView s = surface.view();
+    for (int n = 0; n < 20000; ++n) {
+      const Vec3<double> x = tilted({1.5 * even(random), 1.5 * even(random), 1.0 + 1.5 * even(random)});
+      std::uint32_t list[nearTriangles];
+      const bool some = listNear(s, x, reach + margin, list);
+      EXPECT_EQ(some, list[0] != noNearTriangle);
+      (list[0] == noNearTriangle ? empty : list[0] == manyNearTriangles ? full : served) += 1;
+      const Vec3<double> way{even(random), even(random), even(random)};
+      const Vec3<double> moved = x + way * (0.999 * margin / length(way));
+      SurfaceContacts expected, found;
+      surfaceContacts(s, moved, reach, expected);
+      surfaceContacts(s, moved, reach, found, list);
+      ASSERT_EQ(found.count, expected.count);
+      EXPECT_EQ(found.overflow, expected.overflow);
+      for (int k = 0; k < found.count; ++k) {
+        EXPECT_EQ(found.contact[k].triangle, expected.contact[k].triangle);
+        EXPECT_EQ(found.contact[k].distance, expected.contact[k].distance);
+        EXPECT_EQ(found.contact[k].weight, expected.contact[k].weight);
+      }
+    }
+  }
+  EXPECT_GT(full, 1000);
+  EXPECT_GT(served, 1000);
+  EXPECT_GT(empty, 1000);
+}
+
 }  // namespace gpudem::testing

@@ -72,6 +72,7 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     const SurfaceAt at = surfaceAt(w, in);
     if (s.marked && largestMove(at.pose, s.markedAt, s.lo, s.hi) <= surfaceRoom(scene_)) continue;
     s.marked = true;
+    s.near.reserve(static_cast<std::size_t>(nearTriangles) * count_);
     s.markedAt = at.pose;
     MarkNearSurface<P> m{};
     m.sequence = v.sequence;
@@ -87,6 +88,7 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     m.history = wallHistory_[w].data();
     m.historySize = wallSize_[w];
     m.anchor = anchor_.data();
+    m.near = s.near.data();
     exec_.forEach(count_, m);
   }
 }
@@ -116,6 +118,7 @@ SurfaceStep<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_
     if (term.wall == static_cast<int>(w)) break;
     if (term.kind == ForceTermKind::Enforce2d) r.flatRole |= roles_.of(term.groupMask);
   }
+  r.near = surfaces_[w].near.data();
   r.load = regionLoad_[w].data();
   if (spec.recordTouches && v.sequence == 0) makeRoomForTouches(w, r);
   return r;

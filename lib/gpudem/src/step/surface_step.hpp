@@ -29,6 +29,7 @@ struct SurfaceStep {
   WallView<Real> wall;
   int mostContacts;
   SurfaceAt at;
+  const std::uint32_t *near;  ///< [n][nearTriangles], see listNear()
   Vec3<Real> *load;  ///< [n] forces, [n] torques
   const std::uint32_t *touchAt;  ///< [n] first place of a grain in \c touch
   SurfaceTouch *touch;           ///< mostContacts for every near grain, or null
@@ -38,13 +39,15 @@ struct SurfaceStep {
     if (sequence > status->lastAllowed || !(anchor[i] & nearRegionBit)) return;
     Motion<Real> m = motion[i];
     SurfaceLoad<Real> l{};
-    if (m.word & wall.role) {
+    const std::uint32_t *list = near + static_cast<std::size_t>(nearTriangles) * i;
+    if ((m.word & wall.role) && *list != noNearTriangle) {
       if (m.word & flatRole) m.vz = m.wx = m.wy = Real(0);
       const FixedPosition p = loadPosition(position, i, m.word);
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
       const SurfaceSlots<Real> slots{wall.history + static_cast<std::size_t>(wall.historySize) * i, mostContacts,
                                      wall.historySize / mostContacts};
-      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance, touch ? touch + touchAt[i] : nullptr);
+      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance, list,
+                      touch ? touch + touchAt[i] : nullptr);
       if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&status->crowded, i);
       if (l.trouble == SurfaceTrouble::Crossed) atomicLower(&status->crossed, i);
     }
@@ -95,7 +98,8 @@ struct PackTouches {
   }
 };
 
-/// Which grains a surface may reach before the next rebuild, or before the surface has moved by its share of margin.
+/// Which grains a surface may reach before the next rebuild, or before the surface has moved by its share of margin,
+/// and with which triangles.
 template <class P>
 struct MarkNearSurface {
   using Real = typename P::Real;
@@ -115,14 +119,17 @@ struct MarkNearSurface {
   Real *history;  ///< [n][historySize]
   int historySize;
   std::uint32_t *anchor;
+  std::uint32_t *near;  ///< [n][nearTriangles]
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     if (sequence > status->lastAllowed) return;
+    std::uint32_t *list = near + static_cast<std::size_t>(nearTriangles) * i;
+    *list = noNearTriangle;
     if (motion[i].word & role) {
       const FixedPosition p = loadPosition(position, i, motion[i].word);
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
-      if (isNear(at.surface, at.pose.toBody(x), p.radius + margin)) {
+      if (listNear(at.surface, at.pose.toBody(x), p.radius + margin, list)) {
         anchor[i] |= nearRegionBit;
         return;
       }

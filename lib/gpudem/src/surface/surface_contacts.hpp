@@ -163,6 +163,16 @@ class MinimumList {
 
 enum class Wanted { All, Minima };
 
+/// Calls visit(triangle number, nearest point, squared distance) if triangle \p k is within \p reach of \p x.
+template <class Visit>
+GPUDEM_HD bool visitTriangle(const SurfaceView &s, std::uint32_t k, const Vec3<double> &x, double reach, const Visit &visit)
+{
+  const SurfaceTriangle &t = s.triangle[k];
+  const TrianglePoint p = nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
+  const double distance2 = dot(p.branch, p.branch);
+  return !(distance2 < reach * reach) || visit(k, p, distance2);
+}
+
 /// Calls visit(triangle number, nearest point, squared distance) for triangles within \p reach of \p x, until it
 /// returns false; for Minima it may leave out triangles that hold no minimum of the distance.
 template <Wanted wanted = Wanted::All, class Visit>
@@ -184,15 +194,38 @@ GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double rea
         continue;
       }
       ++n;
-      for (std::uint32_t k = node.leaf >> 3, last = k + (node.leaf & 7u); k < last; ++k) {
-        const SurfaceTriangle &t = s.triangle[k];
-        const TrianglePoint p =
-            nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
-        const double distance2 = dot(p.branch, p.branch);
-        if (distance2 < reach * reach && !visit(k, p, distance2)) return;
-      }
+      for (std::uint32_t k = node.leaf >> 3, last = k + (node.leaf & 7u); k < last; ++k)
+        if (!visitTriangle(s, k, x, reach, visit)) return;
     }
   }
+}
+
+/// The triangles that a grain may meet before its list is made anew, in the order of the tree: as long as that holds,
+/// neither cells nor tree need be looked at. The last is noNearTriangle unless the list is full.
+constexpr std::uint32_t nearTriangles = 8;
+constexpr std::uint32_t noNearTriangle = 0xffffffffu;
+constexpr std::uint32_t manyNearTriangles = 0xfffffffeu;  ///< first of a list without room: the tree has them
+
+/// Fill \p list [nearTriangles] with the triangles within \p reach of \p x; returns whether there is one.
+GPUDEM_HD bool listNear(const SurfaceView &s, const Vec3<double> &x, double reach, std::uint32_t *list)
+{
+  std::uint32_t n = 0;
+  visitNear(s, x, reach, [&](std::uint32_t k, const TrianglePoint &, double) {
+    if (n < nearTriangles) list[n] = k;
+    return ++n <= nearTriangles;
+  });
+  if (n < nearTriangles) list[n] = noNearTriangle;
+  if (n > nearTriangles) list[0] = manyNearTriangles;
+  return n > 0;
+}
+
+/// As visitNear for the triangles of \p list; for all of the surface if there is no list, or it had no room.
+template <Wanted wanted = Wanted::All, class Visit>
+GPUDEM_HD void visitListed(const SurfaceView &s, const std::uint32_t *list, const Vec3<double> &x, double reach, const Visit &visit)
+{
+  if (!list || list[0] == manyNearTriangles) return visitNear<wanted>(s, x, reach, visit);
+  for (std::uint32_t n = 0; n < nearTriangles && list[n] != noNearTriangle; ++n)
+    if (!visitTriangle(s, list[n], x, reach, visit)) return;
 }
 
 /// Is the centre behind the contact's feature?
@@ -219,11 +252,11 @@ GPUDEM_HD void chooseSides(const SurfaceView &s, SurfaceContacts &out)
 }
 
 /// How far each contact stands out from the tangent planes of the nearest points of all triangles that are nearer.
-GPUDEM_HD void findProminence(const SurfaceView &s, const Vec3<double> &x, double reach, const SurfaceContacts &c,
-                              Prominence *prominence)
+GPUDEM_HD void findProminence(const SurfaceView &s, const std::uint32_t *list, const Vec3<double> &x, double reach,
+                              const SurfaceContacts &c, Prominence *prominence)
 {
   for (int j = 0; j < c.count; ++j) prominence[j] = {1.0, 0.0};
-  visitNear(s, x, c.contact[c.count - 1].distance, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+  visitListed(s, list, x, c.contact[c.count - 1].distance, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
     if (distance2 == 0.0) return true;
     SurfaceContact nearer;
     nearer.triangle = k;
@@ -237,23 +270,14 @@ GPUDEM_HD void findProminence(const SurfaceView &s, const Vec3<double> &x, doubl
   });
 }
 
-/// Is any triangle within \p reach of \p x? \pre reach <= s.reach
-GPUDEM_HD bool isNear(const SurfaceView &s, const Vec3<double> &x, double reach)
-{
-  bool found = false;
-  visitNear(s, x, reach, [&](std::uint32_t, const TrianglePoint &, double) {
-    found = true;
-    return false;
-  });
-  return found;
-}
-
 /// Contacts of a sphere of radius \p reach around \p x with the surface, with their weights.
+/// \param list from listNear() with at least this reach, as much more as the centre has moved since; null: none
 /// \pre reach <= s.reach
-GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, double reach, SurfaceContacts &out)
+GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, double reach, SurfaceContacts &out,
+                               const std::uint32_t *list = nullptr)
 {
-  MinimumList list(out);
-  visitNear<Wanted::Minima>(s, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+  MinimumList minima(out);
+  visitListed<Wanted::Minima>(s, list, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
     const SurfaceTriangle &t = s.triangle[k];
     if (!isMinimum(s, t, p, x)) return true;
     SurfaceContact c;
@@ -267,13 +291,13 @@ GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, doub
       const Vec3<double> n = faceNormal(s, t);
       c.normal = n * ((s.side < 0 ? -1.0 : 1.0) / squareRoot(dot(n, n)));
     }
-    list.add(c);
+    minima.add(c);
     return true;
   });
   if (s.side != 0) chooseSides(s, out);
   if (out.count < 2) return;
   Prominence prominence[maxSurfaceContacts];
-  findProminence(s, x, reach, out, prominence);
+  findProminence(s, list, x, reach, out, prominence);
   out.count = weighContacts(out.contact, out.count, reach, prominence);
 }
 

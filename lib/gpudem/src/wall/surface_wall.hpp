@@ -125,7 +125,7 @@ GPUDEM_HD Contact<Real> surfaceContact(const SurfaceContact &c, const Vec3<doubl
 /// Contacts that hold: those within touch, and adhesive ones that were there and are within the gap.
 template <class Real>
 GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
-                           const Vec3<double> &x, double radius, SurfaceContacts &c)
+                           const std::uint32_t *list, const Vec3<double> &x, double radius, SurfaceContacts &c)
 {
   bool holds = false;
   if (wall.flag) {
@@ -133,7 +133,7 @@ GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const
     for (int k = 0; k < slots.most; ++k) holds = holds || slots.at(k)[directionNumbers] != Real(0);
   }
   const double gap = holds ? static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(radius))) : 0.0;
-  surfaceContacts(s.surface, s.pose.toBody(x), radius + gap, c);
+  surfaceContacts(s.surface, s.pose.toBody(x), radius + gap, c, list);
 }
 
 /// One contact in \p touch.
@@ -157,17 +157,18 @@ GPUDEM_HD void recordTouch(const SurfaceAt &s, const SurfaceContact &contact, co
 }
 
 /// Force and torque of all contacts; what they keep and the recorded contact (the deepest) are updated.
+/// \param list triangles near the grain, see surfaceContacts(); or null
 /// \param touch [mostContacts] all contacts, those without force left as they are; null if not wanted
 template <class Real>
 GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
                                         std::uint32_t i, std::uint32_t count, const Vec3<double> &x, double radius,
-                                        const Motion<Real> &m, Real dt, bool advance,
+                                        const Motion<Real> &m, Real dt, bool advance, const std::uint32_t *list,
                                         SurfaceTouch *touch = nullptr)
 {
   const Vec3<Real> none{Real(0), Real(0), Real(0)};
   SurfaceLoad<Real> load{none, none, SurfaceTrouble::None};
   SurfaceContacts c;
-  findHolding(wall, s, slots, x, radius, c);
+  findHolding(wall, s, slots, list, x, radius, c);
   if (c.count > slots.most) {
     load.trouble = SurfaceTrouble::Crowded;
     c.count = slots.most;

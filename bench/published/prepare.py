@@ -130,8 +130,8 @@ def impact(arguments, count):
         write_state(os.path.join(arguments.folder, f"{name}.data"), f"{name}: published state", box, diameter, DENSITY["M1"], centres)
         return
     state = (box, diameter, DENSITY["M1"], stacked_bed(centres, diameter, count))
-    settle(arguments.lmp, arguments.folder, name, state, {"walls": walls, "material": "M1", "step": 1.5e-6,
-                                                          "fall": arguments.fall or 21000, "rest": arguments.rest or 14000})
+    settle(arguments.lmp, arguments.folder, name, state, {"walls": walls, "material": "M1", "step": 2e-6,
+                                                          "fall": arguments.fall or 24000, "rest": arguments.rest or 10000})
 
 
 def silo(arguments, orifice, material):
@@ -145,8 +145,8 @@ def silo(arguments, orifice, material):
     box = ((-0.14, 0.14), (-0.14, 0.14), (lip - 0.1, corners[:, 2].max() + 0.02))
     state = (box, SILO_GRAIN, DENSITY[material], silo_lattice(corners, SILO_GRAIN, SILO_GRAINS))
     settle(arguments.lmp, arguments.folder, f"silo_{orifice}_{material}", state, {
-        "walls": walls, "material": material, "lid": lip, "soft": arguments.soft or 12000, "step": 3e-6,
-        "fall": arguments.fall or 8000, "rest": arguments.rest or 12000})
+        "walls": walls, "material": material, "lid": lip, "soft": arguments.soft or 9000, "step": 4e-6,
+        "fall": arguments.fall or 5000, "rest": arguments.rest or 8000})
 
 
 CASES = {"impact_50k": (impact, 50_000), "impact_25k": (impact, 25_000), "impact_100k": (impact, 100_000),

@@ -56,12 +56,13 @@ inline double surfaceRoom(const SceneSpec &scene)
 {
   return scene.skin;
 }
-/// Gap within which a grain counts as near a surface: what the wall pulls across, what the surface may move, and what
-/// the grain may, half the skin and the common drift of all grains (distance).
-inline double surfaceMargin(const WallSpec &wall, const SceneSpec &scene)
+constexpr double widestSkin = 3.0;  ///< to which a GPU widens the skin of rows, in skins of the script
+/// Largest gap within which a grain may count as near a surface: what the wall pulls across, what the surface may move,
+/// and what the grain may while the rows have skins up to \p skin (distance).
+inline double surfaceMargin(const WallSpec &wall, const SceneSpec &scene, double skin)
 {
-  constexpr double grainSkins = 2.5;  // CommonDrift::room() is two skins at most
-  return wallPullOffGap(wall, scene.largestRadius) + grainSkins * scene.skin + surfaceRoom(scene);
+  constexpr double grainSkins = 3.0;  // from half a skin here to half a skin there; CommonDrift::room() is two at most
+  return wallPullOffGap(wall, scene.largestRadius) + grainSkins * skin + surfaceRoom(scene);
 }
 
 /// Numbers that a wall keeps per contact, without the flag of adhesion.

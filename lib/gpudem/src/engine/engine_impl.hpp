@@ -98,6 +98,7 @@ class EngineImpl final : public Engine {
     Vec3<double> lo{}, hi{};  ///< box of the mesh in the frame of the body (distance)
     bool marked = false;      ///< the grains near it are known
     BodyPose markedAt{};      ///< and were found here
+    double room = 0.0;        ///< how far it may move until they are looked for anew (distance)
     Array<std::uint32_t> near{"triangles near grains"};  ///< [n][nearTriangles], see listNear()
     Touches touches;
   };

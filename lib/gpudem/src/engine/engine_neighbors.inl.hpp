@@ -97,7 +97,7 @@ void EngineImpl<Exec, P>::adaptSkin(const Box &box)
   const bool worn = wornOut_;
   wornOut_ = false;
   if (!Exec::onGpu || !worn || layer_.joined() || count_ > mostGrains || (lasted >= few && lasted <= many)) return;
-  const double skin = lasted < few ? std::min(1.5 * skin_, 3.0 * scene_.skin) : std::max(skin_ / 1.5, scene_.skin);
+  const double skin = lasted < few ? std::min(1.5 * skin_, widestSkin * scene_.skin) : std::max(skin_ / 1.5, scene_.skin);
   for (int d = 0; d < box.dimension; ++d)
     if (box.periodic[d] && box.hi[d] - box.lo[d] < 2.0 * reachOf(scene_, pullOffGap_, skin)) return;
   skin_ = skin;

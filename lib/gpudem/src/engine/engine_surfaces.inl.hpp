@@ -23,7 +23,8 @@ void EngineImpl<Exec, P>::setSurfaces()
     if (wall.mostContacts < 1 || wall.mostContacts > maxSurfaceSlots)
       throw Error(fmt::format("a surface of {} contacts per grain; 1 to {} are possible", wall.mostContacts,
                               maxSurfaceSlots));
-    const double reach = scene_.largestRadius + surfaceMargin(wall, scene_);
+    const double skin = (Exec::onGpu ? widestSkin : 1.0) * scene_.skin;
+    const double reach = scene_.largestRadius + surfaceMargin(wall, scene_, skin);
     for (SurfaceWall &old : before)
       if (old.mesh == wall.surface && old.side == wall.surfaceSide && old.surface->reach() >= reach) {
         s.surface = old.surface;
@@ -62,7 +63,8 @@ SurfaceAt EngineImpl<Exec, P>::surfaceAt(std::size_t w, const StepInputs &in)
   return {surfaces_[w].view, bodyPose(w < in.bodyMotion.size() ? in.bodyMotion[w] : BodyMotion{})};
 }
 
-/// Find the grains near a surface anew after a rebuild, and when it has moved by its share of the margin.
+/// Find the grains near a surface anew after a rebuild, and when it has moved by its share of the margin: none while it
+/// rests, so that no grain is looked at for a motion that there is not.
 template <class Exec, class P>
 void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInputs &in)
 {
@@ -70,7 +72,11 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     if (!isSurface(w)) continue;
     SurfaceWall &s = surfaces_[w];
     const SurfaceAt at = surfaceAt(w, in);
-    if (s.marked && largestMove(at.pose, s.markedAt, s.lo, s.hi) <= surfaceRoom(scene_)) continue;
+    if (s.marked && largestMove(at.pose, s.markedAt, s.lo, s.hi) <= s.room) continue;
+    const bool moves = dot(at.pose.velocity, at.pose.velocity) + dot(at.pose.spin, at.pose.spin) > 0.0;
+    s.room = moves ? surfaceRoom(scene_) : 0.0;
+    // after a rebuild a grain may move by half the skin; later it may be that far off already, and come back
+    const double grainRoom = (drift_.steps() ? 1.0 : 0.5) * skin_ + drift_.room();
     s.marked = true;
     s.near.reserve(static_cast<std::size_t>(nearTriangles) * count_);
     s.markedAt = at.pose;
@@ -83,7 +89,7 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     m.grid = v.grid;
     m.frame = v.frame;
     m.role = roles_.of(scene_.walls[w].groupMask);
-    m.margin = surfaceMargin(scene_.walls[w], scene_);
+    m.margin = wallPullOffGap(scene_.walls[w], scene_.largestRadius) + grainRoom + s.room;
     m.at = at;
     m.history = wallHistory_[w].data();
     m.historySize = wallSize_[w];

@@ -31,7 +31,7 @@ def logged(path, column):
     with open(path) as file:
         for line in file:
             words = line.split()
-            if words[:2] == ["Step", "Time"]:
+            if words[:1] == ["Step"]:
                 head = words
             elif line.startswith("Loop time"):
                 head = None

@@ -21,6 +21,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "examples"))
 import surfaces  # noqa: E402
 
+MATERIALS = os.path.join(HERE, "..", "..", "potentials", "dosta_2024.gran")
+ROUGH = 1.0  # friction in which stacked beds settle: with their own they would lose the loose structure of the published one
 DENSITY = {"M1": 2500.0, "M2": 2000.0}  # kg/m3
 SILO_GRAIN = 4e-3  # m, diameter
 SILO_GRAINS = 100_000
@@ -63,22 +65,22 @@ def read_state(path):
 
 
 def stacked_bed(centres, diameter, count):
-    """A deeper bed of the structure of a settled one: its lower part, then slabs cut out of it, turned in turn by 180 degrees,
-    each with its lowest centre a diameter above the highest one below."""
+    """The lowest grains of a settled bed, or of copies of it on top of one another, every other one turned by 180 degrees: the
+    lowest centre of each is a diameter above the highest one below."""
     order = centres[numpy.argsort(centres[:, 2])]
-    if count <= len(order):
-        return order[:count]
-    cut = len(order) // 10  # what touched the floor, and the free surface
-    parts, left, turn = [order[:-cut]], count - (len(order) - cut), 1.0
-    while left > 0:
-        turn = -turn
-        number = min(left, len(order) - (cut if left <= len(order) - cut else 2 * cut))
-        slab = order[cut:cut + number].copy()
-        slab[:, :2] *= turn
-        slab[:, 2] += parts[-1][:, 2].max() + diameter - slab[:, 2].min()
-        parts.append(slab)
-        left -= number
-    return numpy.concatenate(parts)
+    parts = []
+    for copy in range(-(-count // len(order))):
+        part = order * ([1.0, 1.0, 1.0] if copy % 2 == 0 else [-1.0, -1.0, 1.0])
+        if parts:
+            part[:, 2] += parts[-1][:, 2].max() + diameter - part[:, 2].min()
+        parts.append(part)
+    return numpy.concatenate(parts)[:count]
+
+
+def rough_materials(path, friction):
+    """The benchmark's material file with another friction."""
+    with open(MATERIALS) as source, open(path, "w") as target:
+        target.write(re.sub(r"(?m)^(pair .* friction) \S+", rf"\1 {friction}", source.read()))
 
 
 def silo_lattice(corners, diameter, count):
@@ -130,8 +132,10 @@ def impact(arguments, count):
         write_state(os.path.join(arguments.folder, f"{name}.data"), f"{name}: published state", box, diameter, DENSITY["M1"], centres)
         return
     state = (box, diameter, DENSITY["M1"], stacked_bed(centres, diameter, count))
-    settle(arguments.lmp, arguments.folder, name, state, {"walls": walls, "material": "M1", "step": 2e-6,
-                                                          "fall": arguments.fall or 24000, "rest": arguments.rest or 10000})
+    rough = os.path.join(arguments.folder, "rough.gran")
+    rough_materials(rough, ROUGH)
+    settle(arguments.lmp, arguments.folder, name, state, {
+        "walls": walls, "material": "M1", "file": rough, "step": 2e-6, "fall": arguments.fall or 15000, "rest": arguments.rest or 8000})
 
 
 def silo(arguments, orifice, material):
@@ -145,8 +149,8 @@ def silo(arguments, orifice, material):
     box = ((-0.14, 0.14), (-0.14, 0.14), (lip - 0.1, corners[:, 2].max() + 0.02))
     state = (box, SILO_GRAIN, DENSITY[material], silo_lattice(corners, SILO_GRAIN, SILO_GRAINS))
     settle(arguments.lmp, arguments.folder, f"silo_{orifice}_{material}", state, {
-        "walls": walls, "material": material, "lid": lip, "soft": arguments.soft or 9000, "step": 4e-6,
-        "fall": arguments.fall or 5000, "rest": arguments.rest or 8000})
+        "walls": walls, "material": material, "lid": lip, "soft": arguments.soft or 9000, "file": MATERIALS, "step": 4e-6,
+        "fall": arguments.fall or 17000, "rest": arguments.rest or 5000})
 
 
 CASES = {"impact_50k": (impact, 50_000), "impact_25k": (impact, 25_000), "impact_100k": (impact, 100_000),

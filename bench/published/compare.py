@@ -76,10 +76,10 @@ def silo_row(times, n):
 def differences(own, other):
     """Largest difference of two curves where both exist, and the time of it."""
     times, values = other
-    part = times <= own[0][-1] + 1e-9
+    part = (times >= own[0][0] - 1e-9) & (times <= own[0][-1] + 1e-9)
     delta = numpy.interp(times[part], *own) - values[part]
     worst = int(numpy.argmax(abs(delta)))
-    return delta[worst], times[worst]
+    return delta[worst], times[part][worst]
 
 
 def main():

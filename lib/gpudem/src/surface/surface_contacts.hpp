@@ -165,7 +165,8 @@ enum class Wanted { All, Minima };
 
 /// Calls visit(triangle number, nearest point, squared distance) if triangle \p k is within \p reach of \p x.
 template <class Visit>
-GPUDEM_HD bool visitTriangle(const SurfaceView &s, std::uint32_t k, const Vec3<double> &x, double reach, const Visit &visit)
+GPUDEM_HD bool visitTriangle(const SurfaceView &s, std::uint32_t k, const Vec3<double> &x, double reach,
+                             const Visit &visit)
 {
   const SurfaceTriangle &t = s.triangle[k];
   const TrianglePoint p = nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
@@ -221,7 +222,8 @@ GPUDEM_HD bool listNear(const SurfaceView &s, const Vec3<double> &x, double reac
 
 /// As visitNear for the triangles of \p list; for all of the surface if there is no list, or it had no room.
 template <Wanted wanted = Wanted::All, class Visit>
-GPUDEM_HD void visitListed(const SurfaceView &s, const std::uint32_t *list, const Vec3<double> &x, double reach, const Visit &visit)
+GPUDEM_HD void visitListed(const SurfaceView &s, const std::uint32_t *list, const Vec3<double> &x, double reach,
+                           const Visit &visit)
 {
   if (!list || list[0] == manyNearTriangles) return visitNear<wanted>(s, x, reach, visit);
   for (std::uint32_t n = 0; n < nearTriangles && list[n] != noNearTriangle; ++n)
@@ -256,7 +258,8 @@ GPUDEM_HD void findProminence(const SurfaceView &s, const std::uint32_t *list, c
                               const SurfaceContacts &c, Prominence *prominence)
 {
   for (int j = 0; j < c.count; ++j) prominence[j] = {1.0, 0.0};
-  visitListed(s, list, x, c.contact[c.count - 1].distance, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+  const double farthest = c.contact[c.count - 1].distance;
+  visitListed(s, list, x, farthest, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
     if (distance2 == 0.0) return true;
     SurfaceContact nearer;
     nearer.triangle = k;

@@ -255,4 +255,42 @@ TEST(SurfaceContact, ConesHideNoMinimum)
   EXPECT_LT(visited, 3 * all / 4);
 }
 
+/// A list made for a larger reach serves a centre that has moved by the difference, to the last bit; with triangles, with
+/// nodes, and without room.
+TEST(SurfaceContact, ListsOfWhatIsNearMissNothing)
+{
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> even(-1.0, 1.0);
+  const double reach = 0.2, margin = 0.05;
+  int triangles = 0, nodes = 0, full = 0, empty = 0;
+  for (int shape = 0; shape < 4; ++shape) {
+    SurfaceMesh m = shape == 0 ? ball(1.0, 24) : shape == 1 ? tube(1.0, 2.0, 24, 4) : shape == 2 ? cube(1.5, 2) : ball(1.0, 96);
+    tilt(m);
+    cleanSurface(m);
+    const Surface surface(m, reach + margin, SurfaceSide::Both);
+    const SurfaceView s = surface.view();
+    for (int n = 0; n < 20000; ++n) {
+      const Vec3<double> x = tilted({1.5 * even(random), 1.5 * even(random), 1.0 + 1.5 * even(random)});
+      std::uint32_t entries[NearList::most];
+      const bool some = listNear(s, x, reach + margin, margin, entries, 1);
+      const NearList list{entries, 1};
+      EXPECT_EQ(some, entries[0] != NearList::end);
+      (!some ? empty : list.holdsTriangles() ? triangles : list.holdsMinima() ? nodes : full) += 1;
+      const Vec3<double> way{even(random), even(random), even(random)};
+      const Vec3<double> moved = x + way * (0.999 * margin / length(way));
+      SurfaceContacts expected, found;
+      surfaceContacts(s, moved, reach, expected);
+      surfaceContacts(s, moved, reach, found, list);
+      ASSERT_EQ(found.count, expected.count);
+      EXPECT_EQ(found.overflow, expected.overflow);
+      for (int k = 0; k < found.count; ++k) {
+        EXPECT_EQ(found.contact[k].triangle, expected.contact[k].triangle);
+        EXPECT_EQ(found.contact[k].distance, expected.contact[k].distance);
+        EXPECT_EQ(found.contact[k].weight, expected.contact[k].weight);
+      }
+    }
+  }
+  for (const int cases : {triangles, nodes, full, empty}) EXPECT_GT(cases, 500);
+}
+
 }  // namespace gpudem::testing

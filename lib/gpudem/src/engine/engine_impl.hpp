@@ -98,11 +98,12 @@ class EngineImpl final : public Engine {
     SurfaceView view{};
     Vec3<double> lo{}, hi{};  ///< box of the mesh in the frame of the body (distance)
     bool marked = false;      ///< the grains near it are known
+    BodyPose markedAt{};      ///< and were found here
+    double room = 0.0;        ///< how far it may move until they are looked for anew (distance); 0 for one at rest
     Array<std::uint32_t> near{"grains near a surface"};  ///< [n] 1 or 0
-    Array<std::uint32_t> nearGrain{"grains near a surface (2)"}, nearNodes{"nodes near grains"},
+    Array<std::uint32_t> nearGrain{"grains near a surface (2)"}, nearList{"triangles near grains"},
         nearSlots{"contacts of near grains"};
     std::uint32_t nearGrains = 0;
-    BodyPose markedAt{};      ///< and were found here
     Touches touches;
   };
 

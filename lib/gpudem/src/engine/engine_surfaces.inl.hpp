@@ -72,10 +72,12 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     const SurfaceAt at = surfaceAt(w, in);
     // what turns moves the grains around it farther than itself, seen from the body
     const Vec3<double> grain = Vec3<double>{1.0, 1.0, 1.0} * s.surface->reach();
-    if (s.marked && largestMove(at.pose, s.markedAt, s.lo - grain, s.hi + grain) <= surfaceRoom(scene_)) continue;
+    if (s.marked && largestMove(at.pose, s.markedAt, s.lo - grain, s.hi + grain) <= s.room) continue;
+    const bool moves = dot(at.pose.velocity, at.pose.velocity) + dot(at.pose.spin, at.pose.spin) > 0.0;
+    s.room = moves ? surfaceRoom(scene_) : 0.0;
     // a grain may be half a skin from where it was when the rows were built, and go as far to the other side
     const bool fresh = drift_.steps() == 0;
-    const double room = (fresh ? 0.5 : 1.0) * skin_ + drift_.room() + surfaceRoom(scene_);
+    const double room = (fresh ? 0.5 : 1.0) * skin_ + drift_.room() + s.room;
     s.marked = true;
     s.markedAt = at.pose;
     s.near.reserve(count_);
@@ -101,11 +103,11 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     uintScratch_.reserve(static_cast<std::size_t>(count_) + 1);
     s.nearGrains = exec_.exclusiveScan(s.near.data(), uintScratch_.data(), count_);
     s.nearGrain.reserveWithSlack(s.nearGrains);
-    s.nearNodes.reserveWithSlack(static_cast<std::size_t>(ListedNodes::most) * s.nearGrains);
+    s.nearList.reserveWithSlack(static_cast<std::size_t>(NearList::most) * s.nearGrains);
     exec_.forEach(count_, ListMarked{s.near.data(), uintScratch_.data(), nullptr, 1, s.nearGrain.data()});
     s.nearSlots.reserveWithSlack(s.nearGrains);
-    exec_.forEach(s.nearGrains, ListNearNodes<P>{m, room, s.nearGrain.data(), s.nearGrains, scene_.walls[w].mostContacts,
-                                                 s.nearNodes.data(), s.nearSlots.data()});
+    exec_.forEach(s.nearGrains, ListNear<P>{m, room, s.nearGrain.data(), s.nearGrains, scene_.walls[w].mostContacts,
+                                                 s.nearList.data(), s.nearSlots.data()});
   }
 }
 
@@ -134,7 +136,7 @@ SurfaceStep<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_
     if (term.kind == ForceTermKind::Enforce2d) r.flatRole |= roles_.of(term.groupMask);
   }
   r.nearGrain = surfaces_[w].nearGrain.data();
-  r.nearNodes = surfaces_[w].nearNodes.data();
+  r.nearList = surfaces_[w].nearList.data();
   r.nearSlots = surfaces_[w].nearSlots.data();
   r.nearGrains = surfaces_[w].nearGrains;
   r.load = regionLoad_[w].data();

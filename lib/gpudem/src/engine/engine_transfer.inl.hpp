@@ -55,6 +55,7 @@ std::size_t EngineImpl<Exec, P>::bytesPerGrain() const
   }
   for (const int size : wallSize_) b += static_cast<std::size_t>(size) * sizeof(Real);
   for (std::size_t w = 0; w < scene_.walls.size(); ++w) b += isApart(scene_.walls[w]) ? 2 * sizeof(Vec3<Real>) : 0;
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) b += isSurface(w) ? sizeof(std::uint32_t) : 0;  // near or not
   return b;
 }
 

@@ -13,8 +13,8 @@ namespace gpudem {
 template <class P>
 struct SurfaceStep {
   using Real = typename P::Real;
-  static constexpr int blockSize = 128;
-  static constexpr int minimumBlocks = 1;
+  static constexpr int blockSize = 64;
+  static constexpr int minimumBlocks = P::fine ? 5 : 8;  // 128 registers in mixed: the loads of more warps overlap
 
   std::uint32_t count, sequence;  ///< as in StepView
   Status *status;
@@ -30,7 +30,7 @@ struct SurfaceStep {
   int mostContacts;
   SurfaceAt at;
   const std::uint32_t *nearGrain;  ///< grains near the surface
-  const std::uint32_t *nearNodes;  ///< [ListedNodes::most][nearGrains] see ListedNodes
+  const std::uint32_t *nearList;   ///< [NearList::most][nearGrains] see NearList
   std::uint32_t *nearSlots;        ///< [nearGrains] SurfaceSlots::inUse
   std::uint32_t nearGrains;
   Vec3<Real> *load;  ///< [n] forces, [n] torques; those of grains that are not near are zero
@@ -49,7 +49,7 @@ struct SurfaceStep {
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
       SurfaceSlots<Real> slots{wall.history + static_cast<std::size_t>(wall.historySize) * i, mostContacts,
                                wall.historySize / mostContacts, nearSlots[k]};
-      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance, ListedNodes{nearNodes + k, nearGrains},
+      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance, NearList{nearList + k, nearGrains},
                       touch ? touch + touchAt[i] : nullptr);
       nearSlots[k] = slots.inUse;
       if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&status->crowded, i);
@@ -138,7 +138,12 @@ struct MarkNearSurface {
     near[i] = 0u;
     if (motion[i].word & role) {
       const FixedPosition p = loadPosition(position, i, motion[i].word);
-      if (isNear(at.surface, inBody(i, p), p.radius + margin)) {
+      bool found = false;
+      visitNear(at.surface, inBody(i, p), p.radius + margin, [&](std::uint32_t, const TrianglePoint &, double) {
+        found = true;
+        return false;
+      });
+      if (found) {
         near[i] = 1u;
         anchor[i] |= nearRegionBit;
         return;
@@ -150,9 +155,9 @@ struct MarkNearSurface {
   }
 };
 
-/// Where near grains will find the surface.
+/// Where near grains will find the surface, and which slots they use.
 template <class P>
-struct ListNearNodes {
+struct ListNear {
   static constexpr int blockSize = 128;
   static constexpr int minimumBlocks = 1;
 
@@ -161,7 +166,7 @@ struct ListNearNodes {
   const std::uint32_t *grain;  ///< [grains]
   std::uint32_t grains;
   int mostContacts;
-  std::uint32_t *node;  ///< [ListedNodes::most][grains]
+  std::uint32_t *list;   ///< [NearList::most][grains]
   std::uint32_t *slots;  ///< [grains] SurfaceSlots::inUse
 
   GPUDEM_HD void operator()(std::uint32_t k) const
@@ -169,7 +174,7 @@ struct ListNearNodes {
     if (mark.sequence > mark.status->lastAllowed) return;
     const std::uint32_t i = grain[k];
     const FixedPosition p = loadPosition(mark.position, i, mark.motion[i].word);
-    listNodes(mark.at.surface, mark.inBody(i, p), p.radius + mark.margin, room, node + k, grains);
+    listNear(mark.at.surface, mark.inBody(i, p), p.radius + mark.margin, room, list + k, grains);
     slots[k] = slotsOf(mark.history + static_cast<std::size_t>(mark.historySize) * i, mostContacts, mark.historySize).inUse;
   }
 };

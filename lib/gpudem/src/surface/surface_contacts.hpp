@@ -194,20 +194,25 @@ GPUDEM_HD void visitNodes(const SurfaceView &s, const Vec3<double> &x, double re
   }
 }
 
-/// Calls visit(triangle number, nearest point, squared distance) for the triangles of node \p n within \p reach of \p x.
+/// Calls visit(triangle number, nearest point, squared distance) if triangle \p k is within \p reach of \p x.
 /// \return false once visit does
+template <class Visit>
+GPUDEM_HD bool visitTriangle(const SurfaceView &s, std::uint32_t k, const Vec3<double> &x, double reach, const Visit &visit)
+{
+  const SurfaceTriangle &t = s.triangle[k];
+  const TrianglePoint p = nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
+  const double distance2 = dot(p.branch, p.branch);
+  return !(distance2 < reach * reach) || visit(k, p, distance2);
+}
+
+/// The same for the triangles of node \p n.
 template <class Visit>
 GPUDEM_HD bool visitTriangles(const SurfaceView &s, std::uint32_t n, const Vec3<double> &x, double reach,
                               const Visit &visit)
 {
   const std::uint32_t leaf = s.node[n].leaf;
-  for (std::uint32_t k = leaf >> 3, last = k + (leaf & 7u); k < last; ++k) {
-    const SurfaceTriangle &t = s.triangle[k];
-    const TrianglePoint p =
-        nearestPoint(s.vertex[t.corner[0]] - x, s.vertex[t.corner[1]] - x, s.vertex[t.corner[2]] - x);
-    const double distance2 = dot(p.branch, p.branch);
-    if (distance2 < reach * reach && !visit(k, p, distance2)) return false;
-  }
+  for (std::uint32_t k = leaf >> 3, last = k + (leaf & 7u); k < last; ++k)
+    if (!visitTriangle(s, k, x, reach, visit)) return false;
   return true;
 }
 
@@ -219,45 +224,60 @@ GPUDEM_HD void visitNear(const SurfaceView &s, const Vec3<double> &x, double rea
   visitNodes<wanted>(s, x, reach, 0.0f, [&](std::uint32_t n) { return visitTriangles(s, n, x, reach, visit); });
 }
 
-/// Nodes that may hold a minimum of the distance from a centre, wherever it has gone since they were listed.
-struct ListedNodes {
+/// Where a centre finds the surface, wherever it has gone since this was listed: all triangles within reach, or if they
+/// are many the nodes that may hold a minimum of the distance.
+struct NearList {
   const std::uint32_t *first;  ///< null: not listed
   std::uint32_t stride;
 
   static constexpr std::uint32_t most = 12;
-  static constexpr std::uint32_t tooMany = noNode - 1;  ///< in the first place
-  GPUDEM_HD std::uint32_t node(std::uint32_t k) const { return first[static_cast<std::size_t>(stride) * k]; }
+  static constexpr std::uint32_t end = 0xffffffffu;      ///< behind the last entry, unless the list is full
+  static constexpr std::uint32_t tooMany = 0xfffffffeu;  ///< in the first place: cells and tree have them
+  static constexpr std::uint32_t ofNode = 1u << 31;      ///< in the number of a node
+  GPUDEM_HD std::uint32_t entry(std::uint32_t k) const { return first[static_cast<std::size_t>(stride) * k]; }
+  GPUDEM_HD bool holdsMinima() const { return first && *first != tooMany; }
+  GPUDEM_HD bool holdsTriangles() const { return holdsMinima() && (*first == end || !(*first & ofNode)); }
 };
 
-/// List the nodes that hold the minima within \p reach - \p room of any centre within \p room of \p x, in the order of a walk.
-GPUDEM_HD void listNodes(const SurfaceView &s, const Vec3<double> &x, double reach, double room, std::uint32_t *first,
-                         std::uint32_t stride)
+/// List what lies within \p reach of \p x, for centres within \p room of \p x and \p reach - \p room of the surface.
+/// \param first, stride entries as of NearList, in the order of the tree
+/// \return is there anything?
+GPUDEM_HD bool listNear(const SurfaceView &s, const Vec3<double> &x, double reach, double room, std::uint32_t *first,
+                        std::uint32_t stride)
 {
   std::uint32_t found = 0;
-  visitNodes<Wanted::Minima>(s, x, reach, static_cast<float>(room) * 1.00001f, [&](std::uint32_t n) {
-    if (found == ListedNodes::most) {
-      first[0] = ListedNodes::tooMany;
-      return false;
-    }
-    first[static_cast<std::size_t>(stride) * found++] = n;
-    return true;
-  });
-  if (found < ListedNodes::most) first[static_cast<std::size_t>(stride) * found] = noNode;
+  const auto add = [&](std::uint32_t entry) {
+    if (found < NearList::most) first[static_cast<std::size_t>(stride) * found] = entry;
+    return ++found <= NearList::most;
+  };
+  visitNear(s, x, reach, [&](std::uint32_t k, const TrianglePoint &, double) { return add(k); });
+  const bool some = found > 0;
+  if (found > NearList::most) {
+    found = 0;
+    visitNodes<Wanted::Minima>(s, x, reach, static_cast<float>(room) * 1.00001f,
+                               [&](std::uint32_t n) { return add(n | NearList::ofNode); });
+    if (found > NearList::most) *first = NearList::tooMany;
+  }
+  if (found < NearList::most) first[static_cast<std::size_t>(stride) * found] = NearList::end;
+  return some;
 }
 
-/// visitNear<Wanted::Minima>() among the listed nodes, if there is a list.
-template <class Visit>
-GPUDEM_HD void visitMinima(const SurfaceView &s, const ListedNodes &listed, const Vec3<double> &x, double reach,
+/// As visitNear(), where possible among what is listed.
+template <Wanted wanted = Wanted::All, class Visit>
+GPUDEM_HD void visitListed(const SurfaceView &s, const NearList &list, const Vec3<double> &x, double reach,
                            const Visit &visit)
 {
-  if (!listed.first || listed.node(0) == ListedNodes::tooMany) return visitNear<Wanted::Minima>(s, x, reach, visit);
+  if (wanted == Wanted::All ? !list.holdsTriangles() : !list.holdsMinima()) return visitNear<wanted>(s, x, reach, visit);
   const Vec3<float> coarse = x.as<float>();
   const float reach2 = coarseReach2(reach);
-  for (std::uint32_t k = 0; k < ListedNodes::most; ++k) {
-    const std::uint32_t n = listed.node(k);
-    if (n == noNode) return;
-    if (!withinReach(s.node[n], coarse, reach2) || !mayHoldMinimum(s.cone[n], s.node[n], coarse)) continue;
-    if (!visitTriangles(s, n, x, reach, visit)) return;
+  for (std::uint32_t k = 0; k < NearList::most; ++k) {
+    const std::uint32_t entry = list.entry(k), n = entry & ~NearList::ofNode;
+    if (entry == NearList::end) return;
+    if (entry == n) {
+      if (!visitTriangle(s, n, x, reach, visit)) return;
+    } else if (withinReach(s.node[n], coarse, reach2) && mayHoldMinimum(s.cone[n], s.node[n], coarse)) {
+      if (!visitTriangles(s, n, x, reach, visit)) return;
+    }
   }
 }
 
@@ -285,11 +305,11 @@ GPUDEM_HD void chooseSides(const SurfaceView &s, SurfaceContacts &out)
 }
 
 /// How far each contact stands out from the tangent planes of the nearest points of all triangles that are nearer.
-GPUDEM_HD void findProminence(const SurfaceView &s, const Vec3<double> &x, double reach, const SurfaceContacts &c,
-                              Prominence *prominence)
+GPUDEM_HD void findProminence(const SurfaceView &s, const NearList &list, const Vec3<double> &x, double reach,
+                              const SurfaceContacts &c, Prominence *prominence)
 {
   for (int j = 0; j < c.count; ++j) prominence[j] = {1.0, 0.0};
-  visitNear(s, x, c.contact[c.count - 1].distance, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+  const auto compare = [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
     if (distance2 == 0.0) return true;
     SurfaceContact nearer;
     nearer.triangle = k;
@@ -300,27 +320,18 @@ GPUDEM_HD void findProminence(const SurfaceView &s, const Vec3<double> &x, doubl
       if (dot(chord, chord) > sameDirection2) compareWith(nearer, c.contact[j], reach, prominence[j]);
     }
     return true;
-  });
-}
-
-/// Is any triangle within \p reach of \p x? \pre reach <= s.reach
-GPUDEM_HD bool isNear(const SurfaceView &s, const Vec3<double> &x, double reach)
-{
-  bool found = false;
-  visitNear(s, x, reach, [&](std::uint32_t, const TrianglePoint &, double) {
-    found = true;
-    return false;
-  });
-  return found;
+  };
+  visitListed(s, list, x, c.contact[c.count - 1].distance, compare);
 }
 
 /// Contacts of a sphere of radius \p reach around \p x with the surface, with their weights.
+/// \param list from listNear() with this reach and as much more as the centre has moved since
 /// \pre reach <= s.reach
 GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, double reach, SurfaceContacts &out,
-                               const ListedNodes &listed = {})
+                               const NearList &list = {})
 {
-  MinimumList list(out);
-  visitMinima(s, listed, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
+  MinimumList minima(out);
+  visitListed<Wanted::Minima>(s, list, x, reach, [&](std::uint32_t k, const TrianglePoint &p, double distance2) {
     const SurfaceTriangle &t = s.triangle[k];
     if (!isMinimum(s, t, p, x)) return true;
     SurfaceContact c;
@@ -334,13 +345,13 @@ GPUDEM_HD void surfaceContacts(const SurfaceView &s, const Vec3<double> &x, doub
       const Vec3<double> n = faceNormal(s, t);
       c.normal = n * ((s.side < 0 ? -1.0 : 1.0) / squareRoot(dot(n, n)));
     }
-    list.add(c);
+    minima.add(c);
     return true;
   });
   if (s.side != 0) chooseSides(s, out);
   if (out.count < 2) return;
   Prominence prominence[maxSurfaceContacts];
-  findProminence(s, x, reach, out, prominence);
+  findProminence(s, list, x, reach, out, prominence);
   out.count = weighContacts(out.contact, out.count, reach, prominence);
 }
 

@@ -99,7 +99,7 @@ WallSums SurfaceWall::apply(const HostParticles &p, const BodyMotion &motion, do
     const Motion<double> m{v.x, v.y, v.z, p.mass[i], w.x, w.y, w.z, 0, 0};
     const SurfaceLoad<double> load = surfaceLoad(wall, at, slots, static_cast<std::uint32_t>(i),
                                                  static_cast<std::uint32_t>(p.count), x, p.radius[i], m, timestep,
-                                                 advance, ListedNodes{}, spec.recordTouches ? touch.data() : nullptr);
+                                                 advance, NearList{}, spec.recordTouches ? touch.data() : nullptr);
     for (SurfaceTouch &t : touch) {
       if (t.triangle == noTriangle) continue;
       t.tag = p.tag[i];

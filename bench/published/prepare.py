@@ -26,6 +26,7 @@ ROUGH = 1.0  # friction in which stacked beds settle: with their own they would 
 DENSITY = {"M1": 2500.0, "M2": 2000.0}  # kg/m3
 SILO_GRAIN = 4e-3  # m, diameter
 SILO_GRAINS = 100_000
+CATCH = 0.06  # m, below the lip: a plate on which grains that are out wait to be deleted
 CLOSED = 8.0e-5  # m, by which the flat facets of the published silo come inside its circle
 
 
@@ -36,10 +37,14 @@ def read_table(path, columns):
     return numpy.array([row for row in rows if len(row) == columns], dtype=float)
 
 
-def write_walls(source, target):
-    """Corners (x, y, z three times a line) as binary STL; returns all corners (m)."""
+def write_walls(source, target, catch=None):
+    """Corners (x, y, z three times a line) as binary STL, with a plate below by catch; returns all corners but the plate's (m)."""
     corners = read_table(source, 9).reshape(-1, 3, 3)
-    surfaces.write(target, corners.tolist())
+    plate = []
+    if catch:
+        z = float(corners[:, :, 2].min()) - catch
+        plate = surfaces.grid(lambda u, v: (0.26 * (u - 0.5), 0.26 * (v - 0.5), z), 1, 1)
+    surfaces.write(target, corners.tolist() + plate)
     return corners.reshape(-1, 3)
 
 
@@ -144,7 +149,7 @@ def silo(arguments, orifice, material):
     if not source:
         sys.exit(f"{arguments.published} has no Silo_walls__{orifice}_orifice_.txt")
     walls = os.path.join(arguments.folder, f"silo_{orifice}.stl")
-    corners = write_walls(source[0], walls)
+    corners = write_walls(source[0], walls, CATCH)
     lip = corners[:, 2].min()
     box = ((-0.14, 0.14), (-0.14, 0.14), (lip - 0.1, corners[:, 2].max() + 0.02))
     state = (box, SILO_GRAIN, DENSITY[material], silo_lattice(corners, SILO_GRAIN, SILO_GRAINS))

@@ -148,3 +148,9 @@ FUZZ = _uniform(1e-7, "double: round-off amplified by several collisions")
 
 # Hundreds of restart files in double precision: positions lose nothing, sums are regrouped at every start.
 CONTINUATIONS = _uniform(1e-7, "double: round-off of regrouped sums, amplified by several collisions")
+
+# The same contact law in LIGGGHTS and in GPUDEM, along 800 steps of one contact (any field, of its largest magnitude; positions of a radius).
+SAME_LAW = {"double": Bound(2e-11, "round-off of another order of operations; a soft touch amplifies it: 1e-12 seen"),
+            "mixed": Bound(3e-5, "forces in single precision, small where the spheres just touch: 7e-6 seen")}
+# Another reading of the law makes at least this difference, so that agreement decides between them.
+OTHER_READING = 1e-4

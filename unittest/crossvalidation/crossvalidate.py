@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-only
+# Copyright (c) 2026 The GPUDEM developers
+"""The same scenes in LIGGGHTS and in GPUDEM, each from one description; tables in Markdown on standard output, figures on request.
+
+contacts: single contacts step by step, term by term, and questions about LIGGGHTS' laws.
+"""
+import argparse
+import os
+import sys
+
+import collisions
+from programs import Programs
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def worst(differences):
+    """The field that differs most, as text."""
+    field = max(differences, key=differences.get)
+    return f"{differences[field]:.1e} ({field})"
+
+
+def contacts(programs, arguments):
+    print("### Term by term\n\nLargest difference over 800 steps of one contact.\n\n| term | double | mixed |\n|---|---|---|")
+    curves = {}
+    for term, scene in collisions.terms():
+        reference = programs.run(scene, "liggghts")
+        runs = {p: programs.run(scene, p) for p in ("double", "mixed")}
+        found = [worst(collisions.differences(scene, r.rows, reference.rows)) for r in runs.values()]
+        print(f"| {term} | {' | '.join(found)} |", flush=True)
+        curves[scene.name] = (scene, reference.rows, runs["double"].rows, runs["mixed"].rows)
+    print("\n### What LIGGGHTS 3.8 does where its documentation leaves it open\n\n| question | reading | largest difference | |\n|---|---|---|---|")
+    for question, readings, answer in collisions.questions():
+        for reading, scene in readings.items():
+            reference, ours = (programs.run(scene, p).rows for p in ("liggghts", "double"))
+            print(f"| {question} | {reading} | {worst(collisions.differences(scene, ours, reference))} | "
+                  f"{'this' if reading == answer else ''} |", flush=True)
+            question = ""
+    if arguments.output:
+        import plots
+        plots.contacts(curves, arguments.output)
+
+
+PARTS = {"contacts": contacts}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--gpudem", default=os.environ.get("GPUDEM_LMP") or os.path.join(HERE, "..", "..", "build", "lmp_gpudem"))
+    parser.add_argument("--liggghts", default=os.environ.get("LIGGGHTS") or "liggghts")
+    parser.add_argument("--parts", nargs="+", default=list(PARTS), choices=list(PARTS))
+    parser.add_argument("--quick", action="store_const", const=["contacts"], dest="parts", help="single contacts only: half a minute")
+    parser.add_argument("--output", help="folder of the figures (needs matplotlib)")
+    arguments = parser.parse_args()
+    programs = Programs(arguments.gpudem, arguments.liggghts)
+    if missing := programs.missing():
+        sys.exit(missing)
+    for part in arguments.parts:
+        PARTS[part](programs, arguments)
+
+
+if __name__ == "__main__":
+    main()

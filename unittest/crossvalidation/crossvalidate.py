@@ -4,14 +4,18 @@
 """The same scenes in LIGGGHTS and in GPUDEM, each from one description; tables in Markdown on standard output, figures on request.
 
 contacts: single contacts step by step, term by term, and questions about LIGGGHTS' laws.
+rolling: a sphere that rolls on a plane until rolling friction has stopped it.
 """
 import argparse
 import os
 import sys
 
 import collisions
+import rolling
 from programs import Programs
 
+PROGRAMS = ("liggghts", "double", "mixed")
+NAMES = {"liggghts": "LIGGGHTS", "double": "GPUDEM double", "mixed": "GPUDEM mixed"}
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -42,7 +46,26 @@ def contacts(programs, arguments):
         plots.contacts(curves, arguments.output)
 
 
-PARTS = {"contacts": contacts}
+def rolls(programs, arguments):
+    print("\n### A sphere rolling to rest on a plane\n\n| model | program | distance/closed form - 1 | speed, surface speed at the end (of v0) | "
+          "largest difference of velocity, spin | seconds |\n|---|---|---|---|---|---|")
+    curves = {}
+    for model in rolling.MODELS:
+        scene = rolling.rolls(model)
+        runs = {p: programs.run(scene, p) for p in PROGRAMS}
+        for program, run in runs.items():
+            end = run.rows[-1, 0]
+            found = collisions.differences(scene, run.rows, runs["liggghts"].rows)
+            apart = "" if program == "liggghts" else f"{found['velocity']:.1e}, {found['spin']:.1e}"
+            print(f"| {model} | {NAMES[program]} | {end[0] / rolling.DISTANCE - 1.0:+.1e} | {end[3] / rolling.SPEED:.0e}, "
+                  f"{end[7] * rolling.RADIUS / rolling.SPEED:.0e} | {apart} | {run.seconds:.3f} |", flush=True)
+        curves[model] = (scene, runs)
+    if arguments.output:
+        import plots
+        plots.rolls(curves, arguments.output)
+
+
+PARTS = {"contacts": contacts, "rolling": rolls}
 
 
 def main():
@@ -50,7 +73,7 @@ def main():
     parser.add_argument("--gpudem", default=os.environ.get("GPUDEM_LMP") or os.path.join(HERE, "..", "..", "build", "lmp_gpudem"))
     parser.add_argument("--liggghts", default=os.environ.get("LIGGGHTS") or "liggghts")
     parser.add_argument("--parts", nargs="+", default=list(PARTS), choices=list(PARTS))
-    parser.add_argument("--quick", action="store_const", const=["contacts"], dest="parts", help="single contacts only: half a minute")
+    parser.add_argument("--quick", action="store_const", const=["contacts", "rolling"], dest="parts", help="contacts and rolling: half a minute")
     parser.add_argument("--output", help="folder of the figures (needs matplotlib)")
     arguments = parser.parse_args()
     programs = Programs(arguments.gpudem, arguments.liggghts)

@@ -50,3 +50,19 @@ def contacts(curves, folder):
     figure.suptitle("LIGGGHTS 3.8 (lines) and GPUDEM (points)", fontsize=10)
     figure.tight_layout()
     figure.savefig(os.path.join(folder, "crossvalidation_contacts.png"), dpi=90)
+
+
+def rolls(curves, folder):
+    figure, (a, b) = plt.subplots(1, 2, figsize=(9.0, 3.4))
+    for model, (scene, runs) in curves.items():
+        time = runs["liggghts"].steps * scene.dt
+        both(a, [time, time], [runs[p].rows[:, 0, 3] for p in ("liggghts", "double")], model)
+        for program, style in (("double", "-"), ("mixed", ":")):
+            error = np.abs(runs[program].rows[:, 0, 3] - runs["liggghts"].rows[:, 0, 3]) / runs["liggghts"].rows[0, 0, 3]
+            b.semilogy(time, np.maximum(error, 1e-18), style, lw=0.8, label=f"{model}, {program}")
+    a.set(xlabel="time (s)", ylabel="velocity (m/s)")
+    b.set(xlabel="time (s)", ylabel="difference of velocities / first velocity", ylim=(1e-18, 1e-2))
+    for ax in (a, b):
+        ax.legend(fontsize=6)
+    figure.tight_layout()
+    figure.savefig(os.path.join(folder, "crossvalidation_rolling.png"), dpi=90)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-only
 # Copyright (c) 2026 The GPUDEM developers
-"""Contact laws of LIGGGHTS 3.8 against GPUDEM's sub-models of the same names, step by step (the quick part of scripts/crossvalidate)."""
+"""Contact laws of LIGGGHTS 3.8 against GPUDEM's sub-models of the same names, step by step.
+
+What scripts/crossvalidate --quick prints, with bounds."""
 import pathlib
 import re
 import sys
@@ -8,9 +10,10 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "testing"))
 
+import rolling  # noqa: E402
 from collisions import differences, questions, terms  # noqa: E402
 from programs import Programs  # noqa: E402
-from tolerance import OTHER_READING, SAME_LAW  # noqa: E402
+from tolerance import OTHER_READING, ROLLING_DISTANCE, ROLLS_ALIKE, SAME_LAW  # noqa: E402
 
 PROGRAMS = Programs()
 
@@ -46,6 +49,18 @@ class Terms(Contacts):
 
 class Questions(Contacts):
     """What LIGGGHTS does where its documentation leaves it open."""
+
+
+class Rolling(Contacts):
+    def test_rolling_to_rest(self):
+        for model in rolling.MODELS:
+            scene = rolling.rolls(model)
+            runs = {p: PROGRAMS.run(scene, p) for p in ("liggghts", "double", "mixed")}
+            for program, run in runs.items():
+                with self.subTest(model=model, program=program):
+                    self.assertLessEqual(abs(run.rows[-1, 0, 0] / rolling.DISTANCE - 1.0), ROLLING_DISTANCE.relative)
+                    found = differences(scene, run.rows, runs["liggghts"].rows)
+                    self.assertLessEqual(max(found["velocity"], found["spin"]), ROLLS_ALIKE.relative, ROLLS_ALIKE.reason)
 
 
 for term, scene in terms():

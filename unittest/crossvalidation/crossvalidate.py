@@ -5,11 +5,15 @@
 
 contacts: single contacts step by step, term by term, and questions about LIGGGHTS' laws.
 rolling: a sphere that rolls on a plane until rolling friction has stopped it.
+bulk: pile, drum, hopper and compaction, means over seeds.
 """
 import argparse
+import math
 import os
+import statistics
 import sys
 
+import bulk
 import collisions
 import rolling
 from programs import Programs
@@ -65,7 +69,40 @@ def rolls(programs, arguments):
         plots.rolls(curves, arguments.output)
 
 
-PARTS = {"contacts": contacts, "rolling": rolls}
+def mean(values):
+    """Mean and its standard error."""
+    return statistics.fmean(values), statistics.stdev(values) / math.sqrt(len(values))
+
+
+def in_bulk(programs, arguments):
+    print(f"\n### In bulk\n\nMeans over {arguments.seeds} seeds and their standard errors; median seconds of a run.\n\n"
+          "| scene | grains, steps | quantity | LIGGGHTS | GPUDEM double | GPUDEM mixed | double - LIGGGHTS (standard errors) | "
+          "mixed - LIGGGHTS | seconds |\n|---|---|---|---|---|---|---|---|---|")
+    found = {}
+    for name, (make, measure) in bulk.SCENES.items():
+        values, seconds = {}, {p: [] for p in PROGRAMS}
+        for seed in range(1, arguments.seeds + 1):
+            scene = make(seed)
+            for program in PROGRAMS[seed % 3:] + PROGRAMS[:seed % 3]:   # in turns
+                run = programs.run(scene, program)
+                seconds[program].append(run.seconds)
+                for quantity, value in measure(scene, run).items():
+                    values.setdefault(quantity, {p: [] for p in PROGRAMS})[program].append(value)
+        size = f"{len(scene.x)}, {scene.steps + sum(steps for _, steps in scene.then)}"
+        times = ", ".join(f"{statistics.median(seconds[p]):.1f}" for p in PROGRAMS)
+        for quantity, of in values.items():
+            m = {p: mean(of[p]) for p in PROGRAMS}
+            apart = [f"{(m[p][0] - m['liggghts'][0]) / math.hypot(m[p][1], m['liggghts'][1]):+.1f}" for p in PROGRAMS[1:]]
+            print(f"| {name} | {size} | {quantity} | " + " | ".join(f"{a:.4g} +- {b:.2g}" for a, b in m.values())
+                  + f" | {apart[0]} | {apart[1]} | {times} |", flush=True)
+            name = size = times = ""
+            found[quantity] = of
+    if arguments.output:
+        import plots
+        plots.in_bulk(found, NAMES, arguments.output)
+
+
+PARTS = {"contacts": contacts, "rolling": rolls, "bulk": in_bulk}
 
 
 def main():
@@ -74,6 +111,7 @@ def main():
     parser.add_argument("--liggghts", default=os.environ.get("LIGGGHTS") or "liggghts")
     parser.add_argument("--parts", nargs="+", default=list(PARTS), choices=list(PARTS))
     parser.add_argument("--quick", action="store_const", const=["contacts", "rolling"], dest="parts", help="contacts and rolling: half a minute")
+    parser.add_argument("--seeds", type=int, default=8, help="of the scenes in bulk, at least two; a minute each")
     parser.add_argument("--output", help="folder of the figures (needs matplotlib)")
     arguments = parser.parse_args()
     programs = Programs(arguments.gpudem, arguments.liggghts)

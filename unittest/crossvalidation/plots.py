@@ -66,3 +66,19 @@ def rolls(curves, folder):
         ax.legend(fontsize=6)
     figure.tight_layout()
     figure.savefig(os.path.join(folder, "crossvalidation_rolling.png"), dpi=90)
+
+
+def in_bulk(found, names, folder):
+    """Every seed, and the means with their standard errors."""
+    figure, axes = plt.subplots(2, (len(found) + 1) // 2, figsize=(9.0, 5.6))
+    for ax, (quantity, values) in zip(axes.flat, found.items()):
+        for k, (program, of) in enumerate(values.items()):
+            ax.plot([k + 0.15] * len(of), of, ".", color=f"C{k}", ms=4)
+            ax.errorbar(k - 0.1, np.mean(of), np.std(of, ddof=1) / np.sqrt(len(of)), fmt="o", color=f"C{k}", capsize=4)
+        ax.set_xticks(range(len(values)), [names[p].replace(" ", "\n") for p in values], fontsize=7)
+        ax.set_title(quantity, fontsize=8)
+        ax.set_xlim(-0.5, 2.5)
+    for ax in axes.flat[len(found):]:
+        ax.axis("off")
+    figure.tight_layout()
+    figure.savefig(os.path.join(folder, "crossvalidation_bulk.png"), dpi=90)

@@ -24,7 +24,7 @@ class Failed(RuntimeError):
 class Result:
     steps: np.ndarray     # [snapshot]
     rows: np.ndarray      # [snapshot][grain][x 3, v 3, omega 3, force 3, torque 3], or one array per snapshot if grains are lost
-    seconds: float        # of the last run of the input
+    seconds: float        # of all runs of the input
     text: str
 
 
@@ -41,7 +41,7 @@ class Programs:
             return f"{self.gpudem} is missing: build with scripts/build, or name it with --gpudem"
         return ""
 
-    def run(self, scene, program, files=()):
+    def run(self, scene, program):
         """program: liggghts, double or mixed (precision of GPUDEM)."""
         liggghts = program == "liggghts"
         command = [self.liggghts] if liggghts else [self.gpudem, "-sf", "gpudem", "-nocite"]
@@ -50,7 +50,7 @@ class Programs:
                                GPUDEM_DEVICE="cpu", GPUDEM_THREADS="1", GPUDEM_PRECISION="double" if liggghts else program,
                                OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_btl="self", OMPI_MCA_pml="ob1", OMPI_MCA_osc="^ucx",
                                OMPI_MCA_orte_tmpdir_base=folder, OMP_WAIT_POLICY="passive")
-            for name, text in (("data.scene", scene.data(liggghts and scene.planar)), ("in.scene", scene.liggghts() if liggghts else scene.gpudem()), *files):
+            for name, text in (("data.scene", scene.data(liggghts and scene.planar)), ("in.scene", scene.liggghts() if liggghts else scene.gpudem()), *scene.files()):
                 pathlib.Path(folder, name).write_text(text)
             done = subprocess.run([*command, "-in", "in.scene", "-log", "none"], cwd=folder, env=environment,
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
@@ -64,4 +64,4 @@ class Programs:
         rows = [snapshots[s][1][:, 1:] for s in steps]
         same = all(len(r) == len(rows[0]) for r in rows)
         return Result(np.array(steps), np.array(rows) if same else rows,
-                      float(re.findall(r"Loop time of ([0-9.e+-]+)", done.stdout)[-1]), done.stdout)
+                      sum(map(float, re.findall(r"Loop time of ([0-9.e+-]+)", done.stdout))), done.stdout)

@@ -97,6 +97,65 @@ class Plane:
     shear: tuple = ()            # (axis, speed): velocity of its surface
 
 
+    def gpudem(self, number, law):
+        sides = f"{self.at:.17g} NULL" if self.below else f"NULL {self.at:.17g}"
+        shear = " shear {} {:.17g}".format(*self.shear) if self.shear else ""
+        return f"fix w{number} all wall/gran granular {law} {self.axis}plane {sides}{shear}\n"
+
+    def liggghts(self, number, law):
+        shear = " shear {} {:.17g}".format(*self.shear) if self.shear else ""
+        return f"fix w{number} all wall/gran model {law} primitive type 1 {self.axis}plane {self.at:.17g}{shear}\n"
+
+    def files(self, number):
+        return ()
+
+
+@dataclass(frozen=True)
+class Drum:
+    """The inside of a cylinder about the x axis, open at both ends, that turns.
+
+    LIGGGHTS leaves its curvature out of R*. Its 'shear' is an angular velocity, is right about x and z, not about y, and gives the
+    surface the velocity at the centre of the grain: it turns faster here, so that grains of the given radius meet the same surface."""
+    radius: float
+    half: float                  # of its length
+    speed: float                 # rad/s about +x
+    grain: float                 # radius of the grains
+
+    def gpudem(self, number, law):
+        return (f"variable turn{number} equal {self.speed:.17g}*dt*step\n"
+                f"region drum{number} cylinder x 0 0 {self.radius:.17g} {-self.half:.17g} {self.half:.17g} open 1 open 2 units box "
+                f"rotate v_turn{number} 0 0 0 1 0 0\nfix w{number} all wall/gran/region granular {law} region drum{number}\n")
+
+    def liggghts(self, number, law):
+        return (f"fix w{number} all wall/gran model {law} primitive type 1 xcylinder {self.radius:.17g} 0.0 0.0 "
+                f"shear y {self.speed * self.radius / (self.radius - self.grain):.17g}\n")
+
+    def files(self, number):
+        return ()
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Triangles, at rest or moving at a constant velocity; both programs read the same STL file."""
+    triangles: tuple             # ((corner, corner, corner), ...)
+    velocity: tuple = ()
+
+    def gpudem(self, number, law):
+        move = " move linear {:.17g} {:.17g} {:.17g}".format(*self.velocity) if self.velocity else ""
+        return f"fix w{number} all wall/gran/sdf granular {law} surface s{number}.stl{move}\n"
+
+    def liggghts(self, number, law):
+        move = "fix m{} all move/mesh mesh s{} linear {:.17g} {:.17g} {:.17g}\n".format(number, number, *self.velocity) if self.velocity else ""
+        return (f"fix s{number} all mesh/surface file s{number}.stl type 1\n{move}"
+                f"fix w{number} all wall/gran model {law} mesh n_meshes 1 meshes s{number}\n")
+
+    def files(self, number):
+        lines = ["solid s"]
+        for corners in self.triangles:
+            lines += ["facet normal 0 0 0", "outer loop", *("vertex {:.9g} {:.9g} {:.9g}".format(*c) for c in corners), "endloop", "endfacet"]
+        return ((f"s{number}.stl", "\n".join([*lines, "endsolid s"]) + "\n"),)
+
+
 @dataclass
 class Scene:
     name: str
@@ -114,6 +173,7 @@ class Scene:
     box: tuple = None            # (lo, hi)
     boundary: str = "f f f"
     skin: float = None
+    then: tuple = ()             # ((walls, steps), ...): further runs, with these walls
     planar: bool = False         # motion in x and y only
     gpudem_law: Law = None       # where GPUDEM is given other numbers, on purpose
     mass: np.ndarray = field(init=False)
@@ -151,12 +211,8 @@ class Scene:
                 f"neighbor {self.skin:.17g} bin\nneigh_modify delay 0 every 1\ntimestep {self.dt:.17g}\n"
                 f"fix move all nve/sphere {'disc' if self.planar else ''}\n")
         text += f"fix weight all gravity {self.gravity} vector 0 0 -1\n" if self.gravity else ""
-        for k, wall in enumerate(self.walls):
-            sides = f"{wall.at:.17g} NULL" if wall.below else f"NULL {wall.at:.17g}"
-            shear = " shear {} {:.17g}".format(*wall.shear) if wall.shear else ""
-            text += f"fix w{k} all wall/gran granular {law.gpudem(*self.effective(True))} {wall.axis}plane {sides}{shear}\n"
         text += "fix flat all enforce2d\n" if self.planar else ""
-        return text + self.output("format float %.17g")
+        return text + self.runs("format float %.17g", "gpudem", law.gpudem(*self.effective(True)))
 
     def liggghts(self):
         # only plain 'soft' and 'hard' particles pass its check of E; forces are those of the given E either way
@@ -166,16 +222,26 @@ class Scene:
                 f"{self.law.properties()}\npair_style gran model {self.law.words()}\npair_coeff * *\ntimestep {self.dt:.17g}\n"
                 "fix move all nve/sphere\n")
         text += f"fix weight all gravity {self.gravity} vector 0 0 -1\n" if self.gravity else ""
-        for k, wall in enumerate(self.walls):
-            shear = " shear {} {:.17g}".format(*wall.shear) if wall.shear else ""
-            text += f"fix w{k} all wall/gran model {self.law.words()} primitive type 1 {wall.axis}plane {wall.at:.17g}{shear}\n"
         text += "fix flat all enforce2d\n" if self.planar else ""
         numbers = " ".join(["%d"] + ["%.17g"] * (len(COLUMNS.split()) - 1))
-        return text + self.output(f'format "{numbers}"')
+        return text + self.runs(f'format "{numbers}"', "liggghts", self.law.words())
 
-    def output(self, digits):
-        return (f"dump out all custom {self.every} dump.out {COLUMNS}\ndump_modify out sort id {digits}\n"
-                f"thermo {max(1, self.steps)}\nrun {self.steps}\n")
+    def all_walls(self):
+        return list(dict.fromkeys(w for walls in (self.walls, *(w for w, _ in self.then)) for w in walls))
+
+    def files(self):
+        return [f for k, wall in enumerate(self.all_walls()) for f in wall.files(k)]
+
+    def runs(self, digits, program, law):
+        """Walls, dump and runs."""
+        text = (f"dump out all custom {self.every} dump.out {COLUMNS}\ndump_modify out sort id {digits}\n"
+                f"thermo {max(1, self.steps)}\nthermo_modify lost ignore\n")
+        known, present = self.all_walls(), ()
+        for walls, steps in ((self.walls, self.steps), *self.then):
+            text += "".join(f"unfix w{known.index(w)}\n" for w in present if w not in walls)
+            text += "".join(getattr(w, program)(known.index(w), law) for w in walls if w not in present)
+            text, present = text + f"run {steps}\n", walls
+        return text
 
     def changed(self, **fields):
         """The same grains with other settings."""

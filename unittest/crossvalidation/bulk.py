@@ -7,6 +7,7 @@ means over seeds compare.
 """
 import math
 import pathlib
+import statistics
 import sys
 
 import numpy as np
@@ -114,7 +115,36 @@ def stiffness(scene, run):
     depth = [np.maximum(scene.radius - r[:, 2], 0.0) for r in run.rows]
     load = np.array([(4.0 / 3.0 * effective * np.sqrt(scene.radius) * d ** 1.5).sum() for d in depth]) / side ** 2
     height = (12.0 * D - 0.06 * run.steps * scene.dt) / D
-    return {f"height at {p / 1e3:g} kPa (diameters)": float(height[np.flatnonzero(load < p)[-1]:][0]) for p in (5.0e3, 2.0e4)}
+    result = {}
+    for p in (5.0e3, 2.0e4):
+        k = np.flatnonzero(load < p)[-1]
+        result[f"height at {p / 1e3:g} kPa (diameters)"] = float(np.interp(p, load[k:k + 2], height[k:k + 2]))
+    return result
 
 
 SCENES = {"pile": (pile, slope), "drum": (drum, lean), "hopper": (hopper, discharge), "compaction": (compaction, stiffness)}
+
+
+def mean(values):
+    """Mean and its standard error."""
+    return statistics.fmean(values), statistics.stdev(values) / math.sqrt(len(values))
+
+
+def apart(a, b):
+    """Difference of two means in its standard errors."""
+    (p, u), (q, v) = mean(a), mean(b)
+    return (p - q) / math.hypot(u, v)
+
+
+def compare(programs, names, seeds):
+    """For each scene: its name, the scene of the last seed, {quantity: {program: values over seeds}}, {program: seconds}."""
+    for name, (make, measure) in SCENES.items():
+        values, seconds = {}, {p: [] for p in names}
+        for seed in range(1, seeds + 1):
+            scene = make(seed)
+            for program in names[seed % len(names):] + names[:seed % len(names)]:   # in turns
+                run = programs.run(scene, program)
+                seconds[program].append(run.seconds)
+                for quantity, value in measure(scene, run).items():
+                    values.setdefault(quantity, {p: [] for p in names})[program].append(value)
+        yield name, scene, values, seconds

@@ -150,3 +150,14 @@ def questions():
         ("epsd in two dimensions: inertia of its dashpot?",
          {"1.4 m R^2": flat, "1.5 m R^2": read_as(flat, rolling_viscosity=0.3 * math.sqrt(1.5 / 1.4))}, "1.5 m R^2"),
     ]
+
+
+def in_parts(rolls, parts):
+    """A sphere on a plane that slides (or rolls, with epsd), 1200 steps in so many runs: the forces at the start of a run count half a step."""
+    law = Law("hooke/stiffness", friction=0.9 if rolls else 0.1, kn=2.0e4, kt=1.0e4, gamman=500.0, gammat=500.0,
+              rolling="epsd" if rolls else "", rolling_friction=0.1, rolling_viscosity=0.3)
+    r, steps = 5.0e-3, 1200 // parts
+    mass = 4.0 / 3.0 * math.pi * r ** 3 * 2500.0
+    return Scene("rolls" if rolls else "slides", law, [[0.0, 0.0, r - mass * G / law.kn]], [r], collision_time(law, mass, r, 0.0) / 100, steps,
+                 [[1.0, 0.0, 0.0]], [[0.0, 1.0 / r if rolls else 0.0, 0.0]], walls=FLOOR, then=((FLOOR, steps),) * (parts - 1), gravity=G,
+                 every=1200, boundary="p p f")

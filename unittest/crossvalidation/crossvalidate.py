@@ -8,7 +8,6 @@ rolling: a sphere that rolls on a plane until rolling friction has stopped it.
 bulk: pile, drum, hopper and compaction, means over seeds.
 """
 import argparse
-import math
 import os
 import statistics
 import sys
@@ -45,6 +44,11 @@ def contacts(programs, arguments):
             print(f"| {question} | {reading} | {worst(collisions.differences(scene, ours, reference))} | "
                   f"{'this' if reading == answer else ''} |", flush=True)
             question = ""
+    print("\n### A run in parts\n\nSpeed after 1200 steps in one run and in forty (m/s; 1 at first).\n\n"
+          "| contact | LIGGGHTS | GPUDEM double | GPUDEM mixed |\n|---|---|---|---|")
+    for rolling_too in (False, True):
+        speeds = [[programs.run(collisions.in_parts(rolling_too, n), p).rows[-1][0, 3] for n in (1, 40)] for p in PROGRAMS]
+        print(f"| {'rolls, epsd' if rolling_too else 'slides'} | " + " | ".join(f"{a:.6f}, {b:.6f}" for a, b in speeds) + " |", flush=True)
     if arguments.output:
         import plots
         plots.contacts(curves, arguments.output)
@@ -69,32 +73,18 @@ def rolls(programs, arguments):
         plots.rolls(curves, arguments.output)
 
 
-def mean(values):
-    """Mean and its standard error."""
-    return statistics.fmean(values), statistics.stdev(values) / math.sqrt(len(values))
-
-
 def in_bulk(programs, arguments):
     print(f"\n### In bulk\n\nMeans over {arguments.seeds} seeds and their standard errors; median seconds of a run.\n\n"
           "| scene | grains, steps | quantity | LIGGGHTS | GPUDEM double | GPUDEM mixed | double - LIGGGHTS (standard errors) | "
           "mixed - LIGGGHTS | seconds |\n|---|---|---|---|---|---|---|---|---|")
     found = {}
-    for name, (make, measure) in bulk.SCENES.items():
-        values, seconds = {}, {p: [] for p in PROGRAMS}
-        for seed in range(1, arguments.seeds + 1):
-            scene = make(seed)
-            for program in PROGRAMS[seed % 3:] + PROGRAMS[:seed % 3]:   # in turns
-                run = programs.run(scene, program)
-                seconds[program].append(run.seconds)
-                for quantity, value in measure(scene, run).items():
-                    values.setdefault(quantity, {p: [] for p in PROGRAMS})[program].append(value)
+    for name, scene, values, seconds in bulk.compare(programs, PROGRAMS, arguments.seeds):
         size = f"{len(scene.x)}, {scene.steps + sum(steps for _, steps in scene.then)}"
         times = ", ".join(f"{statistics.median(seconds[p]):.1f}" for p in PROGRAMS)
         for quantity, of in values.items():
-            m = {p: mean(of[p]) for p in PROGRAMS}
-            apart = [f"{(m[p][0] - m['liggghts'][0]) / math.hypot(m[p][1], m['liggghts'][1]):+.1f}" for p in PROGRAMS[1:]]
-            print(f"| {name} | {size} | {quantity} | " + " | ".join(f"{a:.4g} +- {b:.2g}" for a, b in m.values())
-                  + f" | {apart[0]} | {apart[1]} | {times} |", flush=True)
+            means = " | ".join("{:.4g} +- {:.2g}".format(*bulk.mean(of[p])) for p in PROGRAMS)
+            apart = " | ".join(f"{bulk.apart(of[p], of['liggghts']):+.1f}" for p in PROGRAMS[1:])
+            print(f"| {name} | {size} | {quantity} | {means} | {apart} | {times} |", flush=True)
             name = size = times = ""
             found[quantity] = of
     if arguments.output:

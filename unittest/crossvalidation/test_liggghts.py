@@ -3,6 +3,7 @@
 """Contact laws of LIGGGHTS 3.8 against GPUDEM's sub-models of the same names, step by step.
 
 What scripts/crossvalidate --quick prints, with bounds."""
+import os
 import pathlib
 import re
 import sys
@@ -10,10 +11,11 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "testing"))
 
+import bulk  # noqa: E402
 import rolling  # noqa: E402
 from collisions import differences, questions, terms  # noqa: E402
 from programs import Programs  # noqa: E402
-from tolerance import OTHER_READING, ROLLING_DISTANCE, ROLLS_ALIKE, SAME_LAW  # noqa: E402
+from tolerance import BULK_APART, BULK_SEEDS, OTHER_READING, ROLLING_DISTANCE, ROLLS_ALIKE, SAME_LAW  # noqa: E402
 
 PROGRAMS = Programs()
 
@@ -61,6 +63,16 @@ class Rolling(Contacts):
                     self.assertLessEqual(abs(run.rows[-1, 0, 0] / rolling.DISTANCE - 1.0), ROLLING_DISTANCE.relative)
                     found = differences(scene, run.rows, runs["liggghts"].rows)
                     self.assertLessEqual(max(found["velocity"], found["spin"]), ROLLS_ALIKE.relative, ROLLS_ALIKE.reason)
+
+
+@unittest.skipUnless(PROGRAMS.liggghts and os.environ.get("GPUDEM_LONG"), "minutes: set GPUDEM_LONG")
+class Bulk(unittest.TestCase):
+    def test_means_over_seeds(self):
+        for name, _, values, _ in bulk.compare(PROGRAMS, ("liggghts", "double", "mixed"), BULK_SEEDS):
+            for quantity, of in values.items():
+                for precision in ("double", "mixed"):
+                    with self.subTest(scene=name, quantity=quantity, precision=precision):
+                        self.assertLessEqual(abs(bulk.apart(of[precision], of["liggghts"])), BULK_APART, of)
 
 
 for term, scene in terms():

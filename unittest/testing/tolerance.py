@@ -159,3 +159,6 @@ OTHER_READING = 1e-4
 # A sphere rolling to rest on a plane, velocity and spin of their first value: at a plane LIGGGHTS' rolling spring is stiffer by overlap/(2R) = 7e-5.
 ROLLS_ALIKE = Bound(2e-4, "overlap/(2R), and single precision: cdt at rest jumps between two values")
 ROLLING_DISTANCE = Bound(5e-4, "closed form without the landing and the stretching of the rolling spring")
+# Means of two programs over so many seeds, apart in standard errors: by chance once in 2000 (Student, 10 degrees of freedom).
+BULK_SEEDS = 6
+BULK_APART = 5.0

@@ -82,7 +82,7 @@ def terms():
 def differences(scene, a, b):
     """{field: largest difference over all steps and grains}, relative to the largest magnitude of the field in b.
 
-    Positions in radii; the couple of a field that vanishes throughout is left out."""
+    Positions in radii; fields that vanish throughout are left out."""
     result = {}
     for name, columns in FIELDS.items():
         scale = scene.radius.min() if name == "position" else np.linalg.norm(b[:, :, columns], axis=2).max()

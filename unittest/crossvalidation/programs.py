@@ -50,7 +50,8 @@ class Programs:
                                GPUDEM_DEVICE="cpu", GPUDEM_THREADS="1", GPUDEM_PRECISION="double" if liggghts else program,
                                OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_btl="self", OMPI_MCA_pml="ob1", OMPI_MCA_osc="^ucx",
                                OMPI_MCA_orte_tmpdir_base=folder, OMP_WAIT_POLICY="passive")
-            for name, text in (("data.scene", scene.data(liggghts and scene.planar)), ("in.scene", scene.liggghts() if liggghts else scene.gpudem()), *scene.files()):
+            script = scene.liggghts() if liggghts else scene.gpudem()
+            for name, text in (("data.scene", scene.data(liggghts and scene.planar)), ("in.scene", script), *scene.files()):
                 pathlib.Path(folder, name).write_text(text)
             done = subprocess.run([*command, "-in", "in.scene", "-log", "none"], cwd=folder, env=environment,
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")

@@ -15,6 +15,7 @@
 #include "gpudem/errors.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "update.h"
 #include "utils.h"
 
 #include <fmt/format.h>
@@ -359,7 +360,7 @@ double PairGranularGpudem::single(int i, int j, int itype, int jtype, double rsq
   s.inertia = mine * other / (mine + other);
   if (atom->mask[i] & freeze_group_bit) s.inertia = other;
   if (atom->mask[j] & freeze_group_bit) s.inertia = mine;
-  const gpudem::ContactResult r = gpudem::evaluateContact(law, layout_, s, kept.data(), 0.0);
+  const gpudem::ContactResult r = gpudem::evaluateContactAtStart(law, layout_, s, kept.data(), update->dt);
   fforce = r.push / distance;
   const auto length = [](const double *a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); };
   // the rolling pseudo-force F of the torque R* n x F

@@ -6,7 +6,7 @@ import unittest
 
 from lammps import StylesTest
 from test_granular_corrections import GAP, OVERLAP, RADIUS, two
-from tolerance import CLOSED_FORM
+from tolerance import CLOSED_FORM, RUN_IN_PARTS
 
 STIFFNESS = 1.0e5
 HOOKE = f"hooke {STIFFNESS} 0.0 damping velocity"
@@ -94,6 +94,27 @@ class Beyond(StylesTest):
         mu = 0.05
         text = self.law(f"{HOOKE} {SMOOTH} rolling cdt {mu}", velocity="set atom 1 omega 0 0 2.0")
         self.check(text, "tqz", -mu * RADIUS * STIFFNESS * OVERLAP)
+
+    def rolled(self, law, velocity, parts, precision):
+        """A sphere on a plane after 1200 steps in so many runs: velocity, and surface speed of the spin."""
+        radius, weight, kn = 0.5, math.pi / 6.0, 1.0e4
+        text = (f"units lj\natom_style sphere\nboundary p p f\nnewton off\ncomm_modify vel yes\nregion box block -4 4 -4 4 0 4\n"
+                f"create_box 1 box\ncreate_atoms 1 single 0 0 {radius - weight / kn:.17g}\nset group all diameter 1.0 density 1.0\n"
+                f"{velocity}\npair_style granular\npair_coeff * * {HOOKE} {SMOOTH}\nneighbor 0.3 bin\ntimestep 2.0e-4\n"
+                f"fix move all nve/sphere\nfix g all gravity 1.0 vector 0 0 -1\n"
+                f"fix w all wall/gran granular hooke {kn} 50.0 damping velocity {law} zplane 0 NULL\n"
+                "dump out all custom 1200 dump.out id vx omegay\ndump_modify out sort id format float %.17g\n" + f"run {1200 // parts}\n" * parts)
+        return self.value(text, precision, "vx"), radius * self.value(text, precision, "omegay")
+
+    def test_a_run_in_parts(self):
+        """A contact that slides or rolls at its limit has no dashpot, also in the forces at the start of a run."""
+        slides = "tangential liggghts_linear_history 5000.0 1.0 0.1 arm contact_point"
+        rolls = "tangential linear_history 5000.0 1.0 0.9 rolling epsd 0.1 0.3"
+        for law, velocity in ((slides, "set atom 1 vx 1.0"), (rolls, "set atom 1 vx 1.0 omega 0 2.0 0")):
+            for precision in BOTH:
+                whole, parts = (self.rolled(law, velocity, n, precision) for n in (1, 40))
+                for a, b in zip(whole, parts):
+                    self.assertLessEqual(abs(a - b), RUN_IN_PARTS, f"{precision} {law}: {b} in parts, {a} at once")
 
     def test_loading_of_the_plastic_spring(self):
         """luding: slope k1 while the overlap grows for the first time, k2 on the way back, the largest overlap kept."""

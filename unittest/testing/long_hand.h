@@ -101,19 +101,18 @@ inline Triple longHandSlider(Triple &kept, const Triple &n, const Triple &rate, 
   return total;
 }
 
-/// LIGGGHTS' tangential history: the spring alone is clipped, and is the whole friction then.
+/// LIGGGHTS' tangential history: the spring alone is clipped, and is the whole friction then. Without a time step the spring
+/// stays unless it slides.
 inline Triple longHandLiggghts(Triple &kept, const Triple &n, const Triple &rate, double k, double eta, double limit,
                                double dt)
 {
-  if (dt > 0.0) {
-    kept = sum(kept, along(rate, dt));
-    kept = sum(kept, along(n, -inner(kept, n)));
+  const Triple moved = sum(kept, along(rate, dt)), grown = sum(moved, along(n, -inner(moved, n)));
+  if (k * norm(grown) <= limit) {
+    if (dt > 0.0) kept = grown;
+    return sum(along(kept, -k), along(rate, -eta));
   }
-  Triple force = along(kept, -k);
-  if (norm(force) <= limit) return sum(force, along(rate, -eta));
-  force = along(force, limit / norm(force));
-  kept = along(force, -1.0 / k);
-  return force;
+  kept = along(grown, limit / (k * norm(grown)));
+  return along(kept, -k);
 }
 
 /// LIGGGHTS' rolling epsd, epsd2, epsd3. \param kept torque of the spring

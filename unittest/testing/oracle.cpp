@@ -181,7 +181,8 @@ void Oracle::addModelForce(std::size_t i, std::size_t j, const ContactModel &mod
   state.inertia = mine * other / (mine + other);
   if (g.mask[i] & scene_.frozenMask) state.inertia = other;
   if (g.mask[j] & scene_.frozenMask) state.inertia = mine;
-  const ContactResult r = evaluateContact(model, layout_, state, numbers, advance ? scene_.timestep : 0.0);
+  const auto evaluate = advance ? evaluateContact : evaluateContactAtStart;
+  const ContactResult r = evaluate(model, layout_, state, numbers, scene_.timestep);
   const Vec3<double> n{r.normal[0], r.normal[1], r.normal[2]}, friction{r.friction[0], r.friction[1], r.friction[2]};
   const Vec3<double> couple = cross(n, friction);
   const double shorter = model.lever * c.overlap;

@@ -71,6 +71,8 @@ BULK_FLOW_SPREAD = 0.13     # contacts per grain of the 3000 grains flowing: spr
 BULK_ENERGY_BAND = 0.25     # relative, kinetic energy while pouring
 BULK_LOST = 0.02            # of the grains, which leave an open container one by one at chaotic times
 
+# A run of 1200 steps in 40 parts, speed of 1: the limit counts from a normal force half a step apart, per part.
+RUN_IN_PARTS = 1e-6
 # A formula of two spheres evaluated in double against the code: round-off, and for rebounds the error of 1/80 of a
 # collision as time step (measured 1e-5).
 CLOSED_FORM = 1e-4
@@ -148,3 +150,15 @@ FUZZ = _uniform(1e-7, "double: round-off amplified by several collisions")
 
 # Hundreds of restart files in double precision: positions lose nothing, sums are regrouped at every start.
 CONTINUATIONS = _uniform(1e-7, "double: round-off of regrouped sums, amplified by several collisions")
+
+# The same contact law in LIGGGHTS and in GPUDEM, along 800 steps of one contact (any field, of its largest magnitude; positions of a radius).
+SAME_LAW = {"double": Bound(2e-11, "round-off of another order of operations; a soft touch amplifies it: 1e-12 seen"),
+            "mixed": Bound(3e-5, "forces in single precision, small where the spheres just touch: 7e-6 seen")}
+# Another reading of the law makes at least this difference, so that agreement decides between them.
+OTHER_READING = 1e-4
+# A sphere rolling to rest on a plane, velocity and spin of their first value: at a plane LIGGGHTS' rolling spring is stiffer by overlap/(2R) = 7e-5.
+ROLLS_ALIKE = Bound(2e-4, "overlap/(2R), and single precision: cdt at rest jumps between two values")
+ROLLING_DISTANCE = Bound(5e-4, "closed form without the landing and the stretching of the rolling spring")
+# Means of two programs over so many seeds, apart in standard errors: by chance once in 2000 (Student, 10 degrees of freedom).
+BULK_SEEDS = 6
+BULK_APART = 5.0

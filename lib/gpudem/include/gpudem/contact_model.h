@@ -129,5 +129,8 @@ struct ContactResult {
 /// Force of \p model at \p state; \p history is read and advanced by \p dt (not advanced if dt is 0).
 ContactResult evaluateContact(const ContactModel &model, const HistoryLayout &layout, const ContactState &state,
                               double *history, double dt);
+/// As evaluateContact in the forces at the start of a run of time step \p dt: springs do not grow, and dt tells which slide.
+ContactResult evaluateContactAtStart(const ContactModel &model, const HistoryLayout &layout, const ContactState &state,
+                                     double *history, double dt);
 
 }  // namespace gpudem

@@ -305,8 +305,8 @@ double pullOffGap(const ContactModel &model, double effectiveRadius)
   return AnyProduct::gap(deriveCoefficients(model), effectiveRadius);
 }
 
-ContactResult evaluateContact(const ContactModel &model, const HistoryLayout &layout, const ContactState &state,
-                              double *history, double dt)
+static ContactResult evaluated(const ContactModel &model, const HistoryLayout &layout, const ContactState &state,
+                               double *history, double dt, bool advance)
 {
   const auto vector = [](const double *v) { return Vec3<double>{v[0], v[1], v[2]}; };
   Contact<double> c{};
@@ -326,7 +326,7 @@ ContactResult evaluateContact(const ContactModel &model, const HistoryLayout &la
   ModelHistory<double> h{};
   moveHistory<AnyProduct>(view, h, [&](double &inRegister, int at) { inRegister = history[at]; });
   const ModelCoefficients<double> k = deriveCoefficients(model);
-  const ContactParts<double> p = AnyProduct::parts(k, c, h, dt, dt > 0.0);
+  const ContactParts<double> p = AnyProduct::parts(k, c, h, dt, advance);
   moveHistory<AnyProduct>(view, h, [&](double &inRegister, int at) { history[at] = inRegister; });
   ContactResult r{};
   const Vec3<double> n = p.frame.normal, force = n * p.normal.push + p.friction;
@@ -341,6 +341,18 @@ ContactResult evaluateContact(const ContactModel &model, const HistoryLayout &la
   r.push = p.normal.push;
   r.twisting = p.twisting;
   return r;
+}
+
+ContactResult evaluateContact(const ContactModel &model, const HistoryLayout &layout, const ContactState &state,
+                              double *history, double dt)
+{
+  return evaluated(model, layout, state, history, dt, dt > 0.0);
+}
+
+ContactResult evaluateContactAtStart(const ContactModel &model, const HistoryLayout &layout, const ContactState &state,
+                                     double *history, double dt)
+{
+  return evaluated(model, layout, state, history, dt, false);
 }
 
 }  // namespace gpudem

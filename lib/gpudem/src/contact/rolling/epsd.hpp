@@ -31,7 +31,9 @@ struct EpsdForm {
   /// The partner's torque is the opposite.
   static std::vector<signed char> mirror() { return {-1, -1, -1}; }
 
-  /// \param base normal force that the limit counts from
+  /// \param base     normal force that the limit counts from
+  /// \param advance  false: the forces at the start of a run. The spring does not grow then, but whether it slides is
+  ///                 decided as in a step: a spring kept at its limit must not let the dashpot act
   /// \return torque on the grain
   template <class Real>
   GPUDEM_HD static Vec3<Real> moment(const ModelCoefficients<Real> &k, const Contact<Real> &c,
@@ -42,11 +44,11 @@ struct EpsdForm {
     const Real square = c.effectiveRadius * c.effectiveRadius;
     const Real kr = square * (spring == RollingSpring::Tangential ? t.spring : k.rolling[stiffness] * n.stiffness);
     const Vec3<Real> rate = c.spinDifference - f.normal * dot(c.spinDifference, f.normal);
-    Vec3<Real> torque{history[0], history[1], history[2]};
-    if (advance) torque -= rate * (kr * dt);
-    const Real limit = k.rolling[coulomb] * c.effectiveRadius * base, magnitude2 = dot(torque, torque);
+    const Vec3<Real> kept{history[0], history[1], history[2]}, grown = kept - rate * (kr * dt);
+    const Real limit = k.rolling[coulomb] * c.effectiveRadius * base, magnitude2 = dot(grown, grown);
     const bool rolls = magnitude2 > limit * limit;
-    torque = torque * (rolls ? limit * inverseSquareRoot(magnitude2) : Real(1));
+    const Vec3<Real> sticks = advance ? grown : kept;
+    const Vec3<Real> torque = rolls ? grown * (limit * inverseSquareRoot(magnitude2)) : sticks;
     history[0] = torque.x;
     history[1] = torque.y;
     history[2] = torque.z;

@@ -47,19 +47,19 @@ struct LiggghtsTangential {
   /// \param a     contact radius
   /// \param eta   coefficient of the normal dashpot
   /// \param base  normal force that the Coulomb limit counts from
+  /// \param advance  false: the forces at the start of a run. The spring does not grow then, but whether it slides is
+  ///                 decided as in a step: a spring kept at its limit must not let the dashpot act
   template <class Real>
   GPUDEM_HD static Vec3<Real> force(const ModelCoefficients<Real> &k, const ContactFrame<Real> &f, Real a, Real eta,
                                     Real base, Real *history, Real dt, bool advance)
   {
-    Vec3<Real> spring{history[0], history[1], history[2]};
-    if (advance) {
-      spring += f.slip * dt;
-      spring = spring - f.normal * dot(spring, f.normal);
-    }
+    const Vec3<Real> kept{history[0], history[1], history[2]}, moved = kept + f.slip * dt;
+    const Vec3<Real> grown = moved - f.normal * dot(moved, f.normal);
     const TangentialStiffness<Real> t = stiffness(k, a, eta);
-    const Real limit = k.tangential[coulomb] * base, length2 = dot(spring, spring);
+    const Real limit = k.tangential[coulomb] * base, length2 = dot(grown, grown);
     const bool slides = t.spring * t.spring * length2 > limit * limit;
-    spring = spring * (slides ? divide(limit, t.spring) * inverseSquareRoot(length2) : Real(1));
+    const Vec3<Real> sticks = advance ? grown : kept;
+    const Vec3<Real> spring = slides ? grown * (divide(limit, t.spring) * inverseSquareRoot(length2)) : sticks;
     history[0] = spring.x;
     history[1] = spring.y;
     history[2] = spring.z;

@@ -70,7 +70,7 @@ void VerletGpudem::leaveResident()
   onDevice = false;
 }
 
-/// "  ranks     : 4, 2 for each GPU, which take turns; ghosts by MPI through host memory"
+/// "  ranks     : 4, 4 on 2 GPUs: ranks of a GPU take turns, one rank for each is faster; ghosts by MPI through host memory"
 std::string VerletGpudem::describeRanks() const
 {
   const MpiRankExchange *ranks = state.ranks();

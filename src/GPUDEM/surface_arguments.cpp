@@ -4,14 +4,17 @@
 
 #include "wall_arguments.h"
 
+#include "atom.h"
 #include "error.h"
 #include "force.h"
 #include "lammps.h"
 #include "math_const.h"
 #include "utils.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 using namespace LAMMPS_NS;
@@ -255,12 +258,38 @@ void readKeyword(LAMMPS *lmp, const std::string &keyword, Words &words, SurfaceA
     a.faces.wear = words.notNegative("the coefficient of wear");
   } else if (keyword == "servo") {
     a.servo = readServo(lmp, words, a.servoEvery);
+  } else if (keyword == "spacing") {
+    lmp->error->all(FLERR, "{}: spacing stands right behind the shape", command);
   } else {
     lmp->error->all(FLERR,
                     "{}: '{}' is no keyword; there are scale, rotate, translate, side, move, reference, weld, "
                     "max/contacts, contacts, zones, faces, wear and servo",
                     command, keyword);
   }
+}
+
+/// Smallest radius of all atoms, 0 if there is none (distance).
+double smallestRadius(LAMMPS *lmp)
+{
+  const Atom *atom = lmp->atom;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; atom->radius && i < atom->nlocal; ++i) smallest = std::min(smallest, atom->radius[i]);
+  MPI_Allreduce(MPI_IN_PLACE, &smallest, 1, MPI_DOUBLE, MPI_MIN, lmp->world);
+  return std::isfinite(smallest) ? smallest : 0.0;
+}
+
+/// The triangles of a shape or of a file.
+gpudem::SurfaceMesh readMesh(LAMMPS *lmp, const std::string &surface, Words &words)
+{
+  constexpr double chordPerRadius = 1e-3;
+  const bool given = words.next("spacing");
+  if (!gpudem::isShape(surface)) {
+    if (given) lmp->error->all(FLERR, "{}: spacing is for shapes, the triangles of '{}' are those of the file", command, surface);
+    return gpudem::readSurface(surface);
+  }
+  if (!given) return gpudem::shapeSurface(surface, 0.0, chordPerRadius * smallestRadius(lmp));
+  words.word("");
+  return gpudem::shapeSurface(surface, words.positive("the spacing"), 0.0);
 }
 
 }  // namespace
@@ -273,11 +302,11 @@ SurfaceArguments LAMMPS_NS::readSurfaceArguments(LAMMPS *lmp, int narg, char **a
   const std::string keyword = words.word("keyword surface");
   if (keyword != "surface")
     lmp->error->all(FLERR, "{}: '{}' stands where keyword surface is expected", command, keyword);
-  a.file = words.word("the file of the surface");
+  a.file = words.word("the file or shape of the surface");
   a.wall.shape = gpudem::WallShape::Surface;
   a.wall.mostContacts = 8;
   try {
-    auto mesh = std::make_shared<gpudem::SurfaceMesh>(gpudem::readSurface(a.file));
+    auto mesh = std::make_shared<gpudem::SurfaceMesh>(readMesh(lmp, a.file, words));
     double weld = 1e-6;
     while (!words.done()) readKeyword(lmp, words.word(""), words, a, *mesh, weld);
     a.report = gpudem::cleanSurface(*mesh, weld);

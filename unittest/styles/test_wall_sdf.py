@@ -373,6 +373,27 @@ class Files(SurfaceTest):
             compare_dumps(self, stock.dump(), run.dump(), DOUBLE, scenes.DIAMETER, what=name)
             self.assertRegex(run.everything, r"surface   : \d+ triangles, search tables of [\d.e+-]+ MB made in [\d.e+-]+ s")
 
+    def test_shapes(self):
+        """A box by its name is stock's region, whole or cut; a cylinder, as fine as its grains ask for, holds them."""
+        data = ("cloud.data", scenes.cloud(**BOXED))
+        kw = dict(boundary="f f f", steps=100)
+        stock = self.run_lammps(scenes.scene("region r block 0 7.1875 0 7.1875 0 7.1875 side in units box\n" + NVE + DOWN +
+                                             f"fix w all wall/gran/region {HISTORY} region r\n", **kw), [data])
+        for spacing in ("", "spacing 1.0"):
+            text = scenes.scene(NVE + DOWN + f"fix w all wall/gran/sdf {HISTORY} surface box(0,7.1875,0,7.1875,0,7.1875) {spacing} "
+                                "side inside\n", **kw)
+            run = self.run_mode("double", text, [data], name="box" + spacing[:3])
+            compare_dumps(self, stock.dump(), run.dump(), DOUBLE, scenes.DIAMETER, what=f"box {spacing}")
+        files = [("cloud.data", single(np.array([[0.3 * k - 0.6, 0.0, 1.1 * k - 2.2] for k in range(5)]), np.zeros((5, 3))))]
+        text = scenes.scene(NVE + DOWN + f"fix w all wall/gran/sdf {HISTORY} surface cylinder(x,0,0,2.8,-3,3) side inside\n",
+                            boundary="f f f", steps=2000, every=2000)
+        run = self.run_mode("double", text, files, name="cylinder")
+        self.assertRegex(run.everything, r"1 bodies, 1 closed")
+        columns, atoms = run.dump()[2000]
+        x = atoms[:, [columns.index(c) for c in ("xu", "yu", "zu")]]
+        self.assertLess(np.hypot(x[:, 1], x[:, 2]).max(), 2.8)
+        self.assertLess(np.abs(x[:, 0]).max(), 3.0)
+
 
 class Continuation(SurfaceTest):
     fixes = NVE + DOWN + f"fix w all wall/gran/sdf {HISTORY} surface s.stl side inside move wiggle 0.2 0.1 0.3 0.02\n"
@@ -507,6 +528,10 @@ class Mistakes(SurfaceTest):
         self.fails("hooke 1 1 1 1 1 2 surface s.stl", "dampflag is 0 or 1, not 2")
         self.fails("hooke 1 1 1 1 1 1 zplane s.stl", "'zplane'", "surface")
         self.fails(f"{HISTORY} surface s.stl colour red", "'colour'", "translate")
+        self.fails(f"{HISTORY} surface s.stl spacing 0.1", "spacing is for shapes", "s.stl")
+        self.fails(f"{HISTORY} surface box(0,1,0,1,0,1) scale 2 spacing 0.1", "spacing stands right behind the shape")
+        self.fails(f"{HISTORY} surface ball(0,0,0,1)", "'ball' is no shape", "sphere")
+        self.fails(f"{HISTORY} surface sphere(0,0,0,1) spacing 0", "the spacing is 0")
         self.fails(f"{HISTORY} surface s.stl side left", "'left'", "both, inside or outside")
         self.fails(f"{HISTORY} surface s.stl move spin 1", "'spin'", "rotate, nutate")
         self.fails(f"{HISTORY} surface s.stl move rotate 0 0 0 0 0 0 1", "axis", "no length")

@@ -44,4 +44,7 @@ inline ::testing::AssertionResult near(double a, double b, const Tolerance &t)
                                        << t.absolute() << " (" << t.relative << " of " << t.magnitude << ")";
 }
 
+/// Corners, areas and volumes of built-in shapes: coordinates of order 1 in double precision, sums over some 10^5 triangles.
+constexpr double shapeRoundOff = 1e-11;
+
 }  // namespace gpudem::testing

@@ -33,6 +33,18 @@ SurfaceMesh readSurface(const std::string &path);
 bool canReadSurfaces();
 bool canReadLevelSets();
 
+/// Has \p word the form of a shape, name(...)?
+bool isShape(const std::string &word);
+/// A body of simple shape, closed but for the plane: box(xlo,xhi,ylo,yhi,zlo,zhi), sphere(x,y,z,r),
+/// cylinder(axis,c1,c2,r,lo,hi), cone(axis,c1,c2,rlo,rhi,lo,hi), torus(axis,x,y,z,R,r), plane(x,y,z,nx,ny,nz,half).
+/// Corners of triangles lie on the exact surface; cleanSurface() joins them.
+/// \param spacing length of no facet's side is above it, but for diagonals (distance); 0: straight sides are not cut, and
+///                curved ones as often as \p chord asks for
+/// \param chord   largest distance of facets from the exact surface (distance), read where spacing is 0: a facet of length h
+///                on a radius R is h^2/(8 R) away
+/// \throws Error that names the shape and what would be right
+SurfaceMesh shapeSurface(const std::string &shape, double spacing, double chord);
+
 enum class MeshDefect {
   NotFinite,     ///< a coordinate that is not a number; the triangle was removed
   Degenerate,    ///< a triangle whose height is below the welding distance; removed

@@ -173,7 +173,8 @@ void ResidentState::downloadAll(const ResidentPlan &plan)
 {
   toHost(gpudem::fieldDynamic);
   downloadContacts(plan);
-  downloadWalls(plan);
+  downloadWallSprings(plan);
+  downloadWallContacts(plan);
 }
 
 void ResidentState::downloadContacts(const ResidentPlan &plan)
@@ -185,20 +186,25 @@ void ResidentState::downloadContacts(const ResidentPlan &plan)
   contactsStale_ = false;
 }
 
-void ResidentState::downloadWalls(const ResidentPlan &plan)
+void ResidentState::downloadWallSprings(const ResidentPlan &plan)
 {
   std::vector<double> values;
   for (ResidentWall *wall : plan.walls) {
-    if (wall->numbers()) {
-      values.assign(static_cast<std::size_t>(wall->numbers()) * atom->nlocal, 0.0);
-      engine_->downloadWallHistory(wall->wallIndex(), values.data());
-      wall->importHistory(values);
-    }
-    if (wall->recordsContacts()) {
-      values.assign(8 * static_cast<std::size_t>(atom->nlocal), 0.0);
-      engine_->downloadWallContacts(wall->wallIndex(), values.data());
-      wall->importContacts(values);
-    }
+    if (!wall->numbers()) continue;
+    values.assign(static_cast<std::size_t>(wall->numbers()) * atom->nlocal, 0.0);
+    engine_->downloadWallHistory(wall->wallIndex(), values.data());
+    wall->importHistory(values);
+  }
+}
+
+void ResidentState::downloadWallContacts(const ResidentPlan &plan)
+{
+  std::vector<double> values;
+  for (ResidentWall *wall : plan.walls) {
+    if (!wall->recordsContacts()) continue;
+    values.assign(8 * static_cast<std::size_t>(atom->nlocal), 0.0);
+    engine_->downloadWallContacts(wall->wallIndex(), values.data());
+    wall->importContacts(values);
   }
 }
 

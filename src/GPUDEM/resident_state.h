@@ -41,7 +41,10 @@ class ResidentState : protected Pointers {
   /// Everything to the host that is out of date there.
   void downloadAll(const ResidentPlan &plan);
   void downloadContacts(const ResidentPlan &plan);
-  void downloadWalls(const ResidentPlan &plan);
+  /// What grains keep of contacts with walls: asked for by restart files and by whoever takes grains over.
+  void downloadWallSprings(const ResidentPlan &plan);
+  /// The columns of the 'contacts' output.
+  void downloadWallContacts(const ResidentPlan &plan);
 
   /// Bring \p fields up to date on the host.
   void toHost(unsigned fields);

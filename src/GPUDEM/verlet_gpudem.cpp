@@ -281,7 +281,7 @@ void VerletGpudem::endOfStep(bigint step)
     buildHostLists();
     if (vflag / 4 || eflag / 2) evaluatePairOnHost();
   }
-  if (!plan.walls.empty()) state.downloadWalls(plan);
+  state.downloadWallContacts(plan);
   state.hostSection([&] { modify->end_of_step(); });
   rowsDue = state.toDevice() || rowsDue;
   timer->stamp(Timer::MODIFY);
@@ -293,7 +293,8 @@ void VerletGpudem::writeOutput(bigint step)
   const bool particles = output->next_dump_any == step || output->next_restart == step;
   if (particles || !plan.thermoOnDevice || plan.hostLists) {
     state.toHost(gpudem::fieldDynamic);
-    state.downloadWalls(plan);
+    state.downloadWallContacts(plan);
+    if (output->next_restart == step) state.downloadWallSprings(plan);
     if (plan.hostLists) {
       buildHostLists();
       if (vflag / 4 || eflag / 2) evaluatePairOnHost();

@@ -233,7 +233,7 @@ void VerletGpudem::setupResident(int flag)
 
   if (output->ndump || !plan.thermoOnDevice) {
     state.toHost(gpudem::fieldDynamic);
-    state.downloadWalls(plan);
+    state.downloadWallContacts(plan);
   }
   if (plan.hostLists) {
     buildHostLists();

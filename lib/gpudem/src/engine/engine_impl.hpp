@@ -98,6 +98,7 @@ class EngineImpl final : public Engine {
     SurfaceView view{};
     Vec3<double> lo{}, hi{};  ///< box of the mesh in the frame of the body (distance)
     bool marked = false;      ///< the grains near it are known
+    bool markQueued = false;  ///< the launches that find them are queued, and may not have been allowed
     BodyPose markedAt{};      ///< and were found here
     double room = 0.0;        ///< how far it may move until they are looked for anew (distance); 0 for one at rest
     Array<std::uint32_t> near{"grains near a surface"};  ///< [n] 1 or 0

@@ -426,9 +426,10 @@ Progress EngineImpl<Exec, P>::flush()
   }
   if (stopped) {
     inner_.forget();
-    for (SurfaceWall &s : surfaces_) s.marked = false;
+    for (SurfaceWall &s : surfaces_) s.marked = s.marked && !s.markQueued;
     resetStatus();
   }
+  for (SurfaceWall &s : surfaces_) s.markQueued = false;
   inner_.plan(longestStep2);
   return p;
 }

@@ -79,6 +79,7 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     const bool fresh = drift_.steps() == 0;
     const double room = (fresh ? 0.5 : 1.0) * skin_ + drift_.room() + s.room;
     s.marked = true;
+    s.markQueued = v.sequence != 0;
     s.markedAt = at.pose;
     s.near.reserve(count_);
     MarkNearSurface<P> m{};

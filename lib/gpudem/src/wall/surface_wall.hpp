@@ -72,6 +72,27 @@ GPUDEM_HD bool crossedSheet(const SurfaceSlots<Real> &slots, const SurfaceContac
   return false;
 }
 
+/// placeContacts() for one contact at most, now and before: what nearly all grains have.
+template <class Real>
+GPUDEM_HD void placeContact(SurfaceSlots<Real> &slots, const SurfaceContacts &c, double radius, bool checkSides,
+                            int *slot, SurfaceTrouble &trouble)
+{
+  const int at = slots.inUse ? lowestBit(slots.inUse) : 0;
+  if (c.count == 0) return slots.clear(at);
+  const SurfaceContact &now = c.contact[0];
+  if (slots.inUse) {
+    const Vec3<double> old = slots.direction(at), chord = old - now.normal;
+    if (!(dot(chord, chord) < identityChord2(c, radius))) {
+      if (checkSides && crossedSheet(slots, now, radius)) trouble = SurfaceTrouble::Crossed;
+      slots.clear(at);
+    }
+  }
+  Real *kept = slots.at(at);
+  for (int d = 0; d < directionNumbers; ++d) kept[d] = static_cast<Real>(now.normal[d]);
+  slots.inUse = 1u << at;
+  slot[0] = at;
+}
+
 /// Slots of the contacts: that of the contact each continues, or a free one, filled with a copy of what the contact
 /// that it comes from keeps, or with zeros. Slots that no contact uses are cleared.
 template <class Real>
@@ -79,6 +100,8 @@ GPUDEM_HD void placeContacts(SurfaceSlots<Real> &slots, const SurfaceContacts &c
                              int *slot, SurfaceTrouble &trouble)
 {
   if (c.count == 0 && slots.inUse == 0) return;
+  if (c.count <= 1 && (slots.inUse & (slots.inUse - 1)) == 0)
+    return placeContact(slots, c, radius, checkSides, slot, trouble);
   Vec3<double> old[maxSurfaceSlots];
   for (int k = 0; k < slots.most; ++k)
     old[k] = slots.used(k) ? slots.direction(k) : Vec3<double>{1e3, 1e3, 1e3};  // far from every direction

@@ -246,7 +246,13 @@ void EngineImpl<Exec, P>::setAnchors()
   s.anchor = anchor_.data();
   exec_.forEach(count_, s);
   markNearRegions();
-  for (SurfaceWall &s : surfaces_) s.marked = false;
+  for (std::size_t w = 0; w < surfaces_.size(); ++w) {
+    if (!isSurface(w)) continue;
+    SurfaceWall &s = surfaces_[w];
+    s.marked = false;
+    s.near.reserve(count_);  // none is near, should the launch that looks for them not be allowed
+    exec_.fill(s.near.data(), count_, 0);
+  }
 }
 
 }  // namespace gpudem

@@ -78,10 +78,10 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     // a grain may be half a skin from where it was when the rows were built, and go as far to the other side
     const bool fresh = drift_.steps() == 0;
     const double room = (fresh ? 0.5 : 1.0) * skin_ + drift_.room() + s.room;
+    const bool known = s.marked;  // near[] holds what was found for these rows
     s.marked = true;
     s.markQueued = v.sequence != 0;
     s.markedAt = at.pose;
-    s.near.reserve(count_);
     MarkNearSurface<P> m{};
     m.count = count_;
     m.sequence = v.sequence;
@@ -98,7 +98,7 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     m.historySize = wallSize_[w];
     m.load = regionLoad_[w].data();
     m.anchor = anchor_.data();
-    m.fresh = fresh;
+    m.known = known;
     m.near = s.near.data();
     exec_.forEach(count_, m);
     uintScratch_.reserve(static_cast<std::size_t>(count_) + 1);

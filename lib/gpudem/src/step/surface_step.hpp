@@ -124,7 +124,7 @@ struct MarkNearSurface {
   int historySize;
   Vec3<Real> *load;  ///< [n] forces, [n] torques
   std::uint32_t *anchor;
-  bool fresh;           ///< the rows are new, and \c near is not known
+  bool known;           ///< \c near tells who was near before; the others keep nothing
   std::uint32_t *near;  ///< [n] 1 or 0
 
   GPUDEM_HD Vec3<double> inBody(std::uint32_t i, const FixedPosition &p) const
@@ -134,7 +134,7 @@ struct MarkNearSurface {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     if (sequence > status->lastAllowed) return;
-    const bool mayKeep = fresh || near[i] != 0u;
+    const bool mayKeep = !known || near[i] != 0u;
     near[i] = 0u;
     if (motion[i].word & role) {
       const FixedPosition p = loadPosition(position, i, motion[i].word);

@@ -81,8 +81,14 @@ class CpuExec {
     }
     out[count] = sum;
   }
-  /// Two numbers of the device's memory.
-  std::array<std::uint32_t, 2> read(const std::uint32_t *a, const std::uint32_t *b) const { return {*a, *b}; }
+  /// Numbers of the device's memory.
+  template <std::size_t n>
+  std::array<std::uint32_t, n> read(const std::uint32_t *const (&from)[n]) const
+  {
+    std::array<std::uint32_t, n> result;
+    for (std::size_t k = 0; k < n; ++k) result[k] = *from[k];
+    return result;
+  }
   /// scan(), and its total; 2^32 - 1 stands for that and all above.
   std::uint32_t exclusiveScan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count) const
   {

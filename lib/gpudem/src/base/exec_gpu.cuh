@@ -151,20 +151,23 @@ class GpuExec {
     scratch_.reserve(bytes);
     check(cub::DeviceScan::InclusiveScan(scratch_.data(), bytes, in, out + 1, AddSaturated{}, count), "scanning");
   }
-  /// Two numbers of the device's memory.
-  std::array<std::uint32_t, 2> read(const std::uint32_t *a, const std::uint32_t *b)
+  /// Numbers of the device's memory, with one wait for all.
+  template <std::size_t n>
+  std::array<std::uint32_t, n> read(const std::uint32_t *const (&from)[n])
   {
-    read_.reserve(2);
-    check(cudaMemcpyAsync(read_.data(), a, sizeof *a, cudaMemcpyDeviceToHost), "reading a number");
-    check(cudaMemcpyAsync(read_.data() + 1, b, sizeof *b, cudaMemcpyDeviceToHost), "reading a number");
+    read_.reserve(n);
+    for (std::size_t k = 0; k < n; ++k)
+      check(cudaMemcpyAsync(read_.data() + k, from[k], sizeof *from[k], cudaMemcpyDeviceToHost), "reading a number");
     synchronize();
-    return {read_.data()[0], read_.data()[1]};
+    std::array<std::uint32_t, n> result;
+    for (std::size_t k = 0; k < n; ++k) result[k] = read_.data()[k];
+    return result;
   }
   /// scan(), and its total; 2^32 - 1 stands for that and all above.
   std::uint32_t exclusiveScan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count)
   {
     scan(in, out, count);
-    return read(out + count, out + count)[0];
+    return read({out + count})[0];
   }
 
   void sort(Array<std::uint32_t> &key, Array<std::uint32_t> &keyOut, Array<std::uint32_t> &order, std::uint32_t count,

@@ -232,7 +232,7 @@ void GhostLayer<Exec, P>::divideUnits(Exec &exec, std::uint32_t count, std::uint
   borderUnits_ = exec.exclusiveScan(flag_.data(), place_.data(), units_);
   exec.forEach(units_, ListMarked{flag_.data(), place_.data(), nullptr, 1, border_.data()});
   exec.forEach(units_, InvertFlags{flag_.data()});
-  exec.exclusiveScan(flag_.data(), place_.data(), units_);
+  exec.scan(flag_.data(), place_.data(), units_);
   exec.forEach(units_, ListMarked{flag_.data(), place_.data(), nullptr, 1, interior_.data()});
 }
 

@@ -46,7 +46,7 @@ class RowTable {
     exec.forEach(slices, SliceWidths<W>{v.count, count_.data(), sliceEntries_.data(), sliceWords_.data()});
     exec.scan(sliceEntries_.data(), start_.data(), slices);
     exec.scan(sliceWords_.data(), maskStart_.data(), slices);
-    const std::array<std::uint32_t, 2> total = exec.read(start_.data() + slices, maskStart_.data() + slices);
+    const std::array<std::uint32_t, 2> total = exec.read({start_.data() + slices, maskStart_.data() + slices});
     exec.forEach(slices + 1, AddToAll{v.count, maskStart_.data()});  // the first words of the rows come before
     if (total[0] == saturated) throw Error("the neighbour entries exceed the 32-bit index of the rows");
     entries_ = total[0];

@@ -104,6 +104,8 @@ class EngineImpl final : public Engine {
     Array<std::uint32_t> near{"grains near a surface"};  ///< [n] 1 or 0
     Array<std::uint32_t> nearGrain{"grains near a surface (2)"}, nearList{"triangles near grains"},
         nearSlots{"contacts of near grains"};
+    Array<float> nearGap{"distances of near triangles"};
+    Array<Vec3<double>> nearFrom{"places of near grains"};
     std::uint32_t nearGrains = 0;
     Touches touches;
   };

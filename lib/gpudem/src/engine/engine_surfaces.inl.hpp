@@ -105,10 +105,12 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     s.nearGrains = exec_.exclusiveScan(s.near.data(), uintScratch_.data(), count_);
     s.nearGrain.reserveWithSlack(s.nearGrains);
     s.nearList.reserveWithSlack(static_cast<std::size_t>(NearList::most) * s.nearGrains);
+    s.nearGap.reserveWithSlack(static_cast<std::size_t>(NearList::most) * s.nearGrains);
+    s.nearFrom.reserveWithSlack(s.nearGrains);
     exec_.forEach(count_, ListMarked{s.near.data(), uintScratch_.data(), nullptr, 1, s.nearGrain.data()});
     s.nearSlots.reserveWithSlack(s.nearGrains);
     exec_.forEach(s.nearGrains, ListNear<P>{m, room, s.nearGrain.data(), s.nearGrains, scene_.walls[w].mostContacts,
-                                                 s.nearList.data(), s.nearSlots.data()});
+                                            s.nearList.data(), s.nearGap.data(), s.nearFrom.data(), s.nearSlots.data()});
   }
 }
 
@@ -138,6 +140,8 @@ SurfaceStep<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_
   }
   r.nearGrain = surfaces_[w].nearGrain.data();
   r.nearList = surfaces_[w].nearList.data();
+  r.nearGap = surfaces_[w].nearGap.data();
+  r.nearFrom = surfaces_[w].nearFrom.data();
   r.nearSlots = surfaces_[w].nearSlots.data();
   r.nearGrains = surfaces_[w].nearGrains;
   r.load = regionLoad_[w].data();

@@ -31,6 +31,8 @@ struct SurfaceStep {
   SurfaceAt at;
   const std::uint32_t *nearGrain;  ///< grains near the surface
   const std::uint32_t *nearList;   ///< [NearList::most][nearGrains] see NearList
+  const float *nearGap;            ///< likewise
+  const Vec3<double> *nearFrom;    ///< [nearGrains] centres when this was listed, in the frame of the body (distance)
   std::uint32_t *nearSlots;        ///< [nearGrains] SurfaceSlots::inUse
   std::uint32_t nearGrains;
   Vec3<Real> *load;  ///< [n] forces, [n] torques; those of grains that are not near are zero
@@ -49,7 +51,10 @@ struct SurfaceStep {
       const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
       SurfaceSlots<Real> slots{wall.history + static_cast<std::size_t>(wall.historySize) * i, mostContacts,
                                wall.historySize / mostContacts, nearSlots[k]};
-      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance, NearList{nearList + k, nearGrains},
+      const Vec3<double> inBody = at.pose.toBody(x);
+      const Vec3<float> way = (inBody - nearFrom[k]).template as<float>();
+      const NearList list{nearList + k, nearGap + k, nearGrains, squareRoot(dot(way, way)) * 1.000001f};
+      l = surfaceLoad(wall, at, slots, i, count, x, inBody, p.radius, m, dt, advance, list,
                       touch ? touch + touchAt[i] : nullptr);
       nearSlots[k] = slots.inUse;
       if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&status->crowded, i);
@@ -167,6 +172,8 @@ struct ListNear {
   std::uint32_t grains;
   int mostContacts;
   std::uint32_t *list;   ///< [NearList::most][grains]
+  float *gap;            ///< likewise
+  Vec3<double> *from;    ///< [grains] centres in the frame of the body (distance)
   std::uint32_t *slots;  ///< [grains] SurfaceSlots::inUse
 
   GPUDEM_HD void operator()(std::uint32_t k) const
@@ -174,7 +181,8 @@ struct ListNear {
     if (mark.sequence > mark.status->lastAllowed) return;
     const std::uint32_t i = grain[k];
     const FixedPosition p = loadPosition(mark.position, i, mark.motion[i].word);
-    listNear(mark.at.surface, mark.inBody(i, p), p.radius + mark.margin, room, list + k, grains);
+    from[k] = mark.inBody(i, p);
+    listNear(mark.at.surface, from[k], p.radius + mark.margin, room, list + k, gap + k, grains);
     slots[k] = slotsOf(mark.history + static_cast<std::size_t>(mark.historySize) * i, mostContacts, mark.historySize).inUse;
   }
 };

@@ -158,7 +158,7 @@ GPUDEM_HD Contact<Real> surfaceContact(const SurfaceContact &c, const Vec3<doubl
 /// Contacts that hold: those within touch, and adhesive ones that were there and are within the gap.
 template <class Real>
 GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
-                           const Vec3<double> &x, double radius, const NearList &list, SurfaceContacts &c)
+                           const Vec3<double> &inBody, double radius, const NearList &list, SurfaceContacts &c)
 {
   bool holds = false;
   if (wall.flag) {
@@ -166,7 +166,7 @@ GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const
     for (int k = 0; k < slots.most; ++k) holds = holds || (slots.used(k) && slots.at(k)[directionNumbers] != Real(0));
   }
   const double gap = holds ? static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(radius))) : 0.0;
-  surfaceContacts(s.surface, s.pose.toBody(x), radius + gap, c, list);
+  surfaceContacts(s.surface, inBody, radius + gap, c, list);
 }
 
 /// One contact in \p touch.
@@ -190,18 +190,18 @@ GPUDEM_HD void recordTouch(const SurfaceAt &s, const SurfaceContact &contact, co
 }
 
 /// Force and torque of all contacts; what they keep and the recorded contact (the deepest) are updated.
-/// \param list where to look, see surfaceContacts()
+/// \param x, inBody the centre, also in the frame of the body \param list where to look, see surfaceContacts()
 /// \param touch [mostContacts] all contacts, those without force left as they are; null if not wanted
 template <class Real>
 GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const SurfaceAt &s, SurfaceSlots<Real> &slots,
-                                        std::uint32_t i, std::uint32_t count, const Vec3<double> &x, double radius,
-                                        const Motion<Real> &m, Real dt, bool advance, const NearList &list,
-                                        SurfaceTouch *touch)
+                                        std::uint32_t i, std::uint32_t count, const Vec3<double> &x,
+                                        const Vec3<double> &inBody, double radius, const Motion<Real> &m, Real dt,
+                                        bool advance, const NearList &list, SurfaceTouch *touch)
 {
   const Vec3<Real> none{Real(0), Real(0), Real(0)};
   SurfaceLoad<Real> load{none, none, SurfaceTrouble::None};
   SurfaceContacts c;
-  findHolding(wall, s, slots, x, radius, list, c);
+  findHolding(wall, s, slots, inBody, radius, list, c);
   if (c.count > slots.most) {
     load.trouble = SurfaceTrouble::Crowded;
     c.count = slots.most;

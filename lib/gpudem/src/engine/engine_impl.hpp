@@ -147,10 +147,11 @@ class EngineImpl final : public Engine {
   }
   void setSurfaces();
   SurfaceAt surfaceAt(std::size_t w, const StepInputs &in);
-  SurfaceStep<P> surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
+  SurfaceStepView<P> surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
+  void launchSurface(const StepView<P> &v, std::size_t w, const StepInputs &in);
   void markNearSurfaces(const StepView<P> &v, const StepInputs &in);
   void sumSurfaces(const StepView<P> &v, const StepInputs &in);
-  void makeRoomForTouches(std::size_t w, SurfaceStep<P> &step);
+  void makeRoomForTouches(std::size_t w, SurfaceStepView<P> &step);
   void collectTouches(std::size_t w);
   RegionStep<P> regionStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
   void markNearRegions();

@@ -9,12 +9,10 @@
 
 namespace gpudem {
 
-/// One surface at one step: loads of the grains near it.
+/// One surface at one step.
 template <class P>
-struct SurfaceStep {
+struct SurfaceStepView {
   using Real = typename P::Real;
-  static constexpr int blockSize = 64;
-  static constexpr int minimumBlocks = P::fine ? 5 : 8;  // 128 registers in mixed: the loads of more warps overlap
 
   std::uint32_t count, sequence;  ///< as in StepView
   Status *status;
@@ -38,30 +36,39 @@ struct SurfaceStep {
   Vec3<Real> *load;  ///< [n] forces, [n] torques; those of grains that are not near are zero
   const std::uint32_t *touchAt;  ///< [n] first place of a grain in \c touch
   SurfaceTouch *touch;           ///< mostContacts for every near grain, or null
+};
 
+/// Loads of the grains near a surface. \tparam Law AnyWallLaw or ModelWallLaw
+template <class P, class Law>
+struct SurfaceStep : SurfaceStepView<P> {
+  using Real = typename P::Real;
+  static constexpr int blockSize = 64;
+  static constexpr int minimumBlocks = P::fine ? 5 : 8;  // 128 registers in mixed: the loads of more warps overlap
+
+  GPUDEM_HD explicit SurfaceStep(const SurfaceStepView<P> &v) : SurfaceStepView<P>(v) {}
   GPUDEM_HD void operator()(std::uint32_t k) const
   {
-    if (sequence > status->lastAllowed) return;
-    const std::uint32_t i = nearGrain[k];
-    Motion<Real> m = motion[i];
+    const SurfaceStepView<P> &s = *this;
+    if (s.sequence > s.status->lastAllowed) return;
+    const std::uint32_t i = s.nearGrain[k];
+    Motion<Real> m = s.motion[i];
     SurfaceLoad<Real> l{};
-    if (m.word & wall.role) {
-      if (m.word & flatRole) m.vz = m.wx = m.wy = Real(0);
-      const FixedPosition p = loadPosition(position, i, m.word);
-      const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
-      SurfaceSlots<Real> slots{wall.history + static_cast<std::size_t>(wall.historySize) * i, mostContacts,
-                               wall.historySize / mostContacts, nearSlots[k]};
-      const Vec3<double> inBody = at.pose.toBody(x);
-      const Vec3<float> way = (inBody - nearFrom[k]).template as<float>();
-      const NearList list{nearList + k, nearGap + k, nearGrains, squareRoot(dot(way, way)) * 1.000001f};
-      l = surfaceLoad(wall, at, slots, i, count, x, inBody, p.radius, m, dt, advance, list,
-                      touch ? touch + touchAt[i] : nullptr);
-      nearSlots[k] = slots.inUse;
-      if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&status->crowded, i);
-      if (l.trouble == SurfaceTrouble::Crossed) atomicLower(&status->crossed, i);
+    if (m.word & s.wall.role) {
+      if (m.word & s.flatRole) m.vz = m.wx = m.wy = Real(0);
+      const FixedPosition p = loadPosition(s.position, i, m.word);
+      const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame), inBody = s.at.pose.toBody(x);
+      const Vec3<float> way = (inBody - s.nearFrom[k]).template as<float>();
+      const NearList list{s.nearList + k, s.nearGap + k, s.nearGrains, squareRoot(dot(way, way)) * 1.000001f};
+      SurfaceSlots<Real> slots{s.wall.history + static_cast<std::size_t>(s.wall.historySize) * i, s.mostContacts,
+                               s.wall.historySize / s.mostContacts, s.nearSlots[k]};
+      l = surfaceLoad<Law>(s.wall, s.at, slots, i, s.count, x, inBody, p.radius, m, s.dt, s.advance, list,
+                           s.touch ? s.touch + s.touchAt[i] : nullptr);
+      s.nearSlots[k] = slots.inUse;
+      if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&s.status->crowded, i);
+      if (l.trouble == SurfaceTrouble::Crossed) atomicLower(&s.status->crossed, i);
     }
-    load[i] = l.force;
-    load[count + i] = l.torque;
+    s.load[i] = l.force;
+    s.load[s.count + i] = l.torque;
   }
 };
 

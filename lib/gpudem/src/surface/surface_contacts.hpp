@@ -233,7 +233,7 @@ struct NearList {
   std::uint32_t stride;
   float moved;  ///< how far the centre has gone since, not too small (distance)
 
-  static constexpr std::uint32_t most = 12;
+  static constexpr std::uint32_t most = 32;
   static constexpr float noEntry = 3.0e38f;
   static constexpr float tooMany = -1.0f;             ///< in the first place: cells and tree have them
   static constexpr std::uint32_t ofNode = 1u << 31;  ///< in the number of a node

@@ -39,6 +39,7 @@ void ResidentState::prepareEngine()
   o.precision = settings.precision == "double" ? gpudem::Precision::Double : gpudem::Precision::Mixed;
   o.threads = settings.threads > 0 ? settings.threads
                                    : std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / neighbours);
+  o.warps = settings.warps;
   if (ranks_ && gpus > 0) o.gpu = ranks_->rankOnHost() % gpus;
   engine_.reset();
   engine_ = gpudem::makeEngine(o);

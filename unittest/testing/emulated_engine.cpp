@@ -5,11 +5,11 @@
 
 namespace gpudem::testing {
 
-std::unique_ptr<Engine> makeEmulatedEngine(Precision precision)
+std::unique_ptr<Engine> makeEmulatedEngine(Precision precision, int warps)
 {
   if (precision == Precision::Double)
-    return std::make_unique<EngineImpl<EmulatedExec, Double>>(EmulatedExec(), precision);
-  return std::make_unique<EngineImpl<EmulatedExec, Mixed>>(EmulatedExec(), precision);
+    return std::make_unique<EngineImpl<EmulatedExec, Double>>(EmulatedExec(), precision, warps);
+  return std::make_unique<EngineImpl<EmulatedExec, Mixed>>(EmulatedExec(), precision, warps);
 }
 
 }  // namespace gpudem::testing

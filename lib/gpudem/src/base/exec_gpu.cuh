@@ -43,6 +43,14 @@ __global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachWarpKer
   if (i - threadIdx.x % 32 < count) f(i, i < count, shared[threadIdx.x / 32]);
 }
 
+/// One unit of work for each block, whose warps are a team.
+template <class F>
+__global__ void __launch_bounds__(F::blockSize, F::minimumBlocks) forEachTeamKernel(const __grid_constant__ F f)
+{
+  __shared__ typename F::Shared shared;
+  f(blockIdx.x, shared);
+}
+
 /// Host memory that stays where it is, so that the GPU copies from and to it without a detour.
 struct PinnedMemory {
   static void *allocate(std::size_t bytes, const char *name)
@@ -128,6 +136,21 @@ class GpuExec {
     check(cudaDeviceSynchronize(), "running a kernel");
 #endif
   }
+
+  /// f(unit, memory of the team) for teams of F::teamWarps warps.
+  template <class F>
+  void forEachTeam(std::uint32_t units, const F &f) const
+  {
+    if (units == 0) return;
+    const TimedLaunch timed(typeid(F).name());
+    forEachTeamKernel<F><<<units, F::blockSize>>>(f);
+    check(cudaGetLastError(), "launching a kernel");
+#ifdef GPUDEM_SYNC_LAUNCHES
+    check(cudaDeviceSynchronize(), "running a kernel");
+#endif
+  }
+  /// Warps that the chip needs to be busy.
+  std::uint32_t fewWarps() const { return 16u * static_cast<std::uint32_t>(properties_.multiProcessorCount); }
 
   template <class T, class F, class Op>
   T reduce(std::uint32_t count, const F &f, const Op &op, const T &init)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file What the 32 lanes of a warp do together. All lanes must call each of these. On the host they are declared only:
+/// \file What the 32 lanes of a warp do together, and the warps of a team. All lanes must call each of these. On the host they are declared only:
 /// the tests define them, and run the code of the GPU lane by lane (unittest/testing/emulated_warp.h).
 #pragma once
 
@@ -14,6 +14,8 @@ constexpr std::uint32_t warpWidth = 32;
 
 namespace host {
 std::uint32_t lane();
+std::uint32_t warp();
+void meetTeam();
 std::uint32_t gather(std::uint32_t value, std::uint32_t (*join)(const std::uint32_t *all, std::uint32_t argument),
                      std::uint32_t argument);
 }  // namespace host
@@ -24,6 +26,26 @@ GPUDEM_HD std::uint32_t warpLane()
   return threadIdx.x % warpWidth;
 #else
   return host::lane();
+#endif
+}
+
+/// Which warp of its team this is.
+GPUDEM_HD std::uint32_t teamWarp()
+{
+#ifdef __CUDA_ARCH__
+  return threadIdx.x / warpWidth;
+#else
+  return host::warp();
+#endif
+}
+
+/// What the warps of a team wrote to their shared memory before is seen by all after.
+GPUDEM_HD void teamSync()
+{
+#ifdef __CUDA_ARCH__
+  __syncthreads();
+#else
+  host::meetTeam();
 #endif
 }
 

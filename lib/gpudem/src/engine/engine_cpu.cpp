@@ -9,8 +9,8 @@ namespace gpudem {
 std::unique_ptr<Engine> makeCpuEngine(const EngineOptions &o)
 {
   if (o.precision == Precision::Double)
-    return std::make_unique<EngineImpl<CpuExec, Double>>(CpuExec(o.threads), o.precision);
-  return std::make_unique<EngineImpl<CpuExec, Mixed>>(CpuExec(o.threads), o.precision);
+    return std::make_unique<EngineImpl<CpuExec, Double>>(CpuExec(o.threads), o.precision, o.warps);
+  return std::make_unique<EngineImpl<CpuExec, Mixed>>(CpuExec(o.threads), o.precision, o.warps);
 }
 
 }  // namespace gpudem

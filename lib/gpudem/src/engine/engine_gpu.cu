@@ -9,8 +9,8 @@ namespace gpudem {
 std::unique_ptr<Engine> makeGpuEngine(const EngineOptions &o)
 {
   if (o.precision == Precision::Double)
-    return std::make_unique<EngineImpl<GpuExec, Double>>(GpuExec(o.gpu), o.precision);
-  return std::make_unique<EngineImpl<GpuExec, Mixed>>(GpuExec(o.gpu), o.precision);
+    return std::make_unique<EngineImpl<GpuExec, Double>>(GpuExec(o.gpu), o.precision, o.warps);
+  return std::make_unique<EngineImpl<GpuExec, Mixed>>(GpuExec(o.gpu), o.precision, o.warps);
 }
 
 int countGpus(std::string &problem)

@@ -19,6 +19,7 @@
 #include "neighbor/row_table.hpp"
 #include "neighbor/size_range.hpp"
 #include "step/contact_chunk.hpp"
+#include "step/contact_team.hpp"
 #include "step/contact_warp.hpp"
 #include "step/kernel_products.hpp"
 #include "step/observables.hpp"
@@ -38,7 +39,7 @@ namespace gpudem {
 template <class Exec, class P>
 class EngineImpl final : public Engine {
  public:
-  EngineImpl(Exec exec, Precision precision) : exec_(std::move(exec)), precision_(precision)
+  EngineImpl(Exec exec, Precision precision, int warps) : exec_(std::move(exec)), precision_(precision), warps_(warps)
   {
     status_.reserve(1);
     resetStatus();
@@ -132,6 +133,7 @@ class EngineImpl final : public Engine {
   void launchLaw(const StepView<P> &v);
   template <class Law, StepMode mode, WallUse walls>
   void launchLawAndWalls(const StepView<P> &v);
+  int warpsPerSlice(std::uint32_t slices) const;
   bool hasSurfaces() const;
   double mostRoomOfDrift() const;
   void setLaws();
@@ -189,6 +191,7 @@ class EngineImpl final : public Engine {
 
   Exec exec_;
   Precision precision_;
+  int warps_;  ///< as in EngineOptions
   SceneSpec scene_;
   HistoryLayout layout_;  ///< of what a contact keeps
   bool keepsContacts_ = false;

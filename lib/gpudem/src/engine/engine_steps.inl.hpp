@@ -197,13 +197,31 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   return v;
 }
 
+/// How many warps take 32 grains together: a chip that is not full waits for the longest chain of instructions.
+template <class Exec, class P>
+int EngineImpl<Exec, P>::warpsPerSlice(std::uint32_t slices) const
+{
+  if (warps_) return warps_;
+  if constexpr (Exec::onGpu) {
+    if (4 * slices <= exec_.fewWarps()) return 4;
+    if (2 * slices <= exec_.fewWarps()) return 2;
+  }
+  return 1;
+}
+
 template <class Exec, class P>
 template <class Law, StepMode mode, WallUse walls>
 void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
 {
   if constexpr (Exec::onGpu) {
+    const std::uint32_t *slice = part_ ? part_->unit : nullptr, slices = part_ ? part_->count : chunksOf(count_, 32);
+    if constexpr (mode == StepMode::Fused) {
+      const int warps = warpsPerSlice(slices);
+      if (warps == 4) return exec_.forEachTeam(slices, TeamContacts<P, Law, walls, 4>{{v}, slice});
+      if (warps == 2) return exec_.forEachTeam(slices, TeamContacts<P, Law, walls, 2>{{v}, slice});
+    }
     using Kernel = WarpContacts<P, Law, mode, walls>;
-    exec_.forEachWarp(part_ ? 32 * part_->count : count_, Kernel{v, part_ ? part_->unit : nullptr});
+    exec_.forEachWarp(part_ ? 32 * slices : count_, Kernel{{v}, slice});
   } else {
     using Kernel = ContactChunk<P, Law, mode, walls>;
     if (part_) return exec_.forEachChunk(part_->count, OnChunks<Kernel>{Kernel{v, table_.view()}, part_->unit});

@@ -19,7 +19,8 @@ class Loop:
     steps: int
     grains: int
     rebuilds: int
-    last: dict  # thermo keyword: value at the last step
+    first: dict  # thermo keyword: value at the first step
+    last: dict   # and at the last
 
     @property
     def per_step(self):
@@ -71,7 +72,7 @@ def read(text):
         time, steps, grains = re.search(r"Loop time of (\S+) on .* for (\d+) steps with (\d+) atoms", block).groups()
         loops.append(Loop(float(time), int(steps), int(grains),
                           int(re.search(r"Neighbor list builds = (\d+)", block)[1]),
-                          dict(zip(names, map(float, rows[-1]))) if rows else {}))
+                          *(dict(zip(names, map(float, rows[k]))) if rows else {} for k in (0, -1))))
     memory = re.findall(r"GPUDEM memory: (\d+) bytes per grain", text)
     device = re.findall(r"^  device +: (.*)$", text, re.M)
     return Log(loops, float(memory[-1]) if memory else 0.0, device[-1] if device else "", text)

@@ -29,8 +29,8 @@ NAMES = ["table", "feature", "scene", "grains", "without", "with", "us_without",
          "bytes_without", "bytes_with", "rebuilds_without", "rebuilds_with", "energy_without", "energy_with", "samples"]
 
 
-def script(scene, edits):
-    """The text of a scene's input with its edits."""
+def script(scene, edits, loops=1):
+    """The text of a scene's input with its edits, and so many measured runs."""
     name = "in.chute" if scene == "chute" else "in.bed"
     with open(os.path.join(HERE, name)) as f:
         text = f.read()
@@ -38,7 +38,7 @@ def script(scene, edits):
         if text.count(line) != 1:
             sys.exit(f"{name} has {text.count(line)} lines '{line}'; an edit needs one")
         text = text.replace(line, instead)
-    return text + "run             ${steps}\n" * 2
+    return text + "run             ${steps}\n" * (loops - 1)
 
 
 def words(arguments, scene, folder):
@@ -62,15 +62,15 @@ class Series:
         self.arguments, self.folder = arguments, folder
         self.path = os.path.join(folder, f"in.{name}")
         with open(self.path, "w") as f:
-            f.write(script(scene, edits))
+            f.write(script(scene, edits, arguments.runs))
         self.words = ["-in", self.path, *words(arguments, scene, folder)]
         self.steps, self.bytes, self.rebuilds, self.energy, self.grains = [], 0.0, 0, 0.0, 0
 
     def measure(self):
         log = runs.start(self.arguments, self.words, self.folder)
         loops = log.loops[1:]  # the first warms up
-        if not loops:
-            sys.exit(f"{self.path} ended without a measured run:\n{log.text[-2000:]}")
+        if len(loops) != self.arguments.runs:
+            sys.exit(f"{self.path} ended after {len(loops)} measured runs:\n{log.text[-2000:]}")
         self.steps += [loop.per_step / loop.grains * 1e6 for loop in loops]  # us per step and grain
         self.bytes, self.grains = log.bytes_per_grain, loops[-1].grains
         self.rebuilds = sum(loop.rebuilds for loop in loops)
@@ -107,8 +107,8 @@ def main():
     parser.add_argument("--bed", type=int, default=0, help="copies in x and y of 7000 grains; default 8 on a GPU, else 2")
     parser.add_argument("--settle", type=int, default=60000, help="steps in which a bed settles")
     parser.add_argument("--warm", type=int, default=200)
-    parser.add_argument("--steps", type=int, default=0, help="of each of the three measured runs of a process; default 1000 on "
-                        "a GPU, else 300")
+    parser.add_argument("--steps", type=int, default=0, help="of each measured run; default 1000 on a GPU, else 300")
+    parser.add_argument("--runs", type=int, default=5, help="measured in one process")
     parser.add_argument("--turns", type=int, default=5, help="at most so many processes of each script")
     parser.add_argument("--budget", type=float, default=220.0, help="no pair begins that would end later (s)")
     parser.add_argument("--only", nargs="+", default=[], metavar="WORD", help="pairs with one of these in table, name or scene")
@@ -137,6 +137,8 @@ def main():
                 without.measure()
                 device = with_.measure()
                 longest = max(longest, time.monotonic() - start)
+    if not measured or not measured[0][3].steps:
+        sys.exit("nothing was measured: no pair has one of the words of --only, or the budget is too short")
     if not measured[-1][3].steps:
         print(f"{sum(not m[3].steps for m in measured)} pairs were not reached within {arguments.budget:g} s\n")
         measured = [m for m in measured if m[3].steps]

@@ -53,9 +53,8 @@ def law(words):
 
 def frozen(shape, *before):
     """Edits that freeze the grains of the bed outside a region: a wall there changes nothing that moves."""
-    return ((BED_BOUNDARY, "boundary f f f"), add(BED_COPY, *before, f"region loose {shape}", "group loose region loose",
-                                                  "group held subtract all loose", "velocity held set 0 0 0",
-                                                  "set group held omega 0 0 0"),
+    return (add(BED_COPY, *before, f"region loose {shape}", "group loose region loose",
+                "group held subtract all loose", "velocity held set 0 0 0", "set group held omega 0 0 0"),
             (BED_MOVE, "fix 1 loose nve/sphere"))
 
 
@@ -66,13 +65,14 @@ def walled(pair_of, *walls):
 
 
 RIM = 1.6  # width of the frozen rim (diameters)
+CLOSED = (BED_BOUNDARY, "boundary f f f")
 FLOOR = frozen(f"block INF INF INF INF {RIM} INF units box")
-SIDES = frozen(f"block $(xlo+{RIM}) $(xhi-{RIM}) $(ylo+{RIM}) $(yhi-{RIM}) {RIM} INF units box")
+SIDES = (CLOSED, *frozen(f"block $(xlo+{RIM}) $(xhi-{RIM}) $(ylo+{RIM}) $(yhi-{RIM}) {RIM} INF units box"))
 # zcylinder stands around the z axis: the bed is moved there and cut round
-ROUND = frozen(f"cylinder z 0 0 $(v_half-{RIM}) {RIM} INF units box", "variable half equal $(0.5*xhi)",
-               "change_box all x final $(-xhi) $(xhi) y final $(-yhi) $(yhi) units box",
-               "displace_atoms all move $(-v_half) $(-v_half) 0 units box",
-               "region beyond cylinder z 0 0 ${half} INF INF side out units box", "delete_atoms region beyond")
+ROUND = (CLOSED, *frozen(f"cylinder z 0 0 $(v_half-{RIM}) {RIM} INF units box", "variable half equal $(0.5*xhi)",
+                         "change_box all x final $(-xhi) $(xhi) y final $(-yhi) $(yhi) units box",
+                         "displace_atoms all move $(-v_half) $(-v_half) 0 units box",
+                         "region beyond cylinder z 0 0 ${half} INF INF side out units box", "delete_atoms region beyond"))
 HALVES = add(BED_COPY, "region low block INF INF INF INF INF 12 units box", "group low region low",
              "group high subtract all low")
 NOBODY = "group nobody empty"

@@ -104,18 +104,18 @@ def main():
     runs.add_program(parser)
     parser.add_argument("--data", default=os.path.join(HERE, "..", "build", "deps", "lammps-source", "bench", "data.chute"))
     parser.add_argument("--chute", type=int, default=0, help="copies in x and y of 32 000 grains; default 4 on a GPU, else 1")
-    parser.add_argument("--bed", type=int, default=0, help="copies in x and y of 7000 grains; default 8 on a GPU, else 2")
+    parser.add_argument("--bed", type=int, default=0, help="copies in x and y of 7000 grains; default 8 on a GPU, else 1")
     parser.add_argument("--settle", type=int, default=60000, help="steps in which a bed settles")
     parser.add_argument("--warm", type=int, default=200)
-    parser.add_argument("--steps", type=int, default=0, help="of each measured run; default 1000 on a GPU, else 300")
+    parser.add_argument("--steps", type=int, default=0, help="of each measured run; default 1000 on a GPU, else 100")
     parser.add_argument("--runs", type=int, default=5, help="measured in one process")
     parser.add_argument("--turns", type=int, default=5, help="at most so many processes of each script")
     parser.add_argument("--budget", type=float, default=220.0, help="no pair begins that would end later (s)")
     parser.add_argument("--only", nargs="+", default=[], metavar="WORD", help="pairs with one of these in table, name or scene")
     arguments = parser.parse_args()
     arguments.chute = arguments.chute or (4 if arguments.device == "gpu" else 1)
-    arguments.bed = arguments.bed or (8 if arguments.device == "gpu" else 2)
-    arguments.steps = arguments.steps or (1000 if arguments.device == "gpu" else 300)
+    arguments.bed = arguments.bed or (8 if arguments.device == "gpu" else 1)
+    arguments.steps = arguments.steps or (1000 if arguments.device == "gpu" else 100)
     began = time.monotonic()
 
     listed = [(table, pair) for table, pairs in (("features", FEATURES), ("idle", IDLE)) for pair in pairs
@@ -156,8 +156,9 @@ def main():
                         f"{float(r['ratio']):.3f} ({float(r['ratio_low']):.3f} to {float(r['ratio_high']):.3f})",
                         f"{r['bytes_without']:.0f}, {r['bytes_with']:.0f}", f"{r['rebuilds_without']}, {r['rebuilds_with']}",
                         energy) for r, energy in chosen])
-    print("On one rank there are no ghosts: no list of them, no message and no memory. Spins are always integrated (fix nve/sphere); "
-          "torques come with friction.")
+    print("Where no energy is given the grains move otherwise, so that contacts and rebuilds differ too. Spins are always integrated "
+          "(fix nve/sphere); torques come with friction.\n"
+          "On one rank there are no ghosts: no list of them, no message and no memory.")
     if arguments.csv:
         with open(arguments.csv, "w", newline="") as f:
             table = csv.DictWriter(f, NAMES)

@@ -272,12 +272,14 @@ TEST(SurfaceContact, ListsOfWhatIsNearMissNothing)
     for (int n = 0; n < 20000; ++n) {
       const Vec3<double> x = tilted({1.5 * even(random), 1.5 * even(random), 1.0 + 1.5 * even(random)});
       std::uint32_t entries[NearList::most];
-      const bool some = listNear(s, x, reach + margin, margin, entries, 1);
-      const NearList list{entries, 1};
-      EXPECT_EQ(some, entries[0] != NearList::end);
-      (!some ? empty : list.holdsTriangles() ? triangles : list.holdsMinima() ? nodes : full) += 1;
+      float gaps[NearList::most];
+      const bool some = listNear(s, x, reach + margin, margin, entries, gaps, 1);
       const Vec3<double> way{even(random), even(random), even(random)};
-      const Vec3<double> moved = x + way * (0.999 * margin / length(way));
+      const double far = n % 3 == 0 ? 0.0 : 0.999 * margin * (n % 3 == 1 ? 1.0 : std::abs(even(random)));
+      const Vec3<double> moved = x + way * (far / length(way));
+      const NearList list{entries, gaps, 1, static_cast<float>(length(moved - x)) * 1.000001f};
+      EXPECT_EQ(some, gaps[0] != NearList::noEntry);
+      (!some ? empty : list.holdsTriangles() ? triangles : list.holdsMinima() ? nodes : full) += 1;
       SurfaceContacts expected, found;
       surfaceContacts(s, moved, reach, expected);
       surfaceContacts(s, moved, reach, found, list);

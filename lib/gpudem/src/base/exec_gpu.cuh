@@ -5,6 +5,7 @@
 
 #include "base/buffer.hpp"
 #include "base/identity.hpp"
+#include "base/kernel_times.cuh"
 #include "base/saturated.hpp"
 #include "gpudem/errors.h"
 
@@ -106,6 +107,7 @@ class GpuExec {
   {
     if (count == 0) return;
     const std::uint32_t blocks = (count + F::blockSize - 1) / F::blockSize;
+    const TimedLaunch timed(typeid(F).name());
     forEachKernel<F><<<blocks, F::blockSize>>>(count, f);
     check(cudaGetLastError(), "launching a kernel");
 #ifdef GPUDEM_SYNC_LAUNCHES
@@ -119,6 +121,7 @@ class GpuExec {
   {
     if (count == 0) return;
     const std::uint32_t blocks = (count + F::blockSize - 1) / F::blockSize;
+    const TimedLaunch timed(typeid(F).name());
     forEachWarpKernel<F><<<blocks, F::blockSize>>>(count, f);
     check(cudaGetLastError(), "launching a kernel");
 #ifdef GPUDEM_SYNC_LAUNCHES
@@ -129,6 +132,7 @@ class GpuExec {
   template <class T, class F, class Op>
   T reduce(std::uint32_t count, const F &f, const Op &op, const T &init)
   {
+    const TimedLaunch timed("reduction");
     result_.reserve(sizeof(T));
     T *out = reinterpret_cast<T *>(result_.data());
     thrust::counting_iterator<std::uint32_t> in(0);
@@ -144,6 +148,7 @@ class GpuExec {
   /// out[k] = sum of in[0 .. k-1], at most 2^32 - 1; out has count + 1 entries.
   void scan(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count)
   {
+    const TimedLaunch timed("scan");
     check(cudaMemsetAsync(out, 0, sizeof(std::uint32_t)), "clearing a scan");
     if (count == 0) return;
     std::size_t bytes = 0;
@@ -155,6 +160,7 @@ class GpuExec {
   template <std::size_t n>
   std::array<std::uint32_t, n> read(const std::uint32_t *const (&from)[n])
   {
+    const TimedLaunch timed("read");
     read_.reserve(n);
     for (std::size_t k = 0; k < n; ++k)
       check(cudaMemcpyAsync(read_.data() + k, from[k], sizeof *from[k], cudaMemcpyDeviceToHost), "reading a number");
@@ -180,6 +186,7 @@ class GpuExec {
       identity_.reserve(count);
       forEach(static_cast<std::uint32_t>(identity_.capacity()), IdentityValues{identity_.data()});
     }
+    const TimedLaunch timed("sort");
     std::size_t bytes = 0;
     check(cub::DeviceRadixSort::SortPairs(nullptr, bytes, key.data(), keyOut.data(), identity_.data(), order.data(),
                                           count, 0, bits),
@@ -198,11 +205,13 @@ class GpuExec {
   template <class T>
   void copyIn(T *device, const T *host, std::size_t count) const
   {
+    const TimedLaunch timed("copy to device");
     if (count) check(cudaMemcpy(device, host, count * sizeof(T), cudaMemcpyHostToDevice), "copying to the GPU");
   }
   template <class T>
   void copyOut(T *host, const T *device, std::size_t count) const
   {
+    const TimedLaunch timed("copy to host");
     if (count) check(cudaMemcpy(host, device, count * sizeof(T), cudaMemcpyDeviceToHost), "copying from the GPU");
   }
   void synchronize() const

@@ -104,6 +104,8 @@ class EngineImpl final : public Engine {
     Array<std::uint32_t> near{"grains near a surface"};  ///< [n] 1 or 0
     Array<std::uint32_t> nearGrain{"grains near a surface (2)"}, nearList{"triangles near grains"},
         nearSlots{"contacts of near grains"};
+    Array<float> nearGap{"distances of near triangles"};
+    Array<Vec3<double>> nearFrom{"places of near grains"};
     std::uint32_t nearGrains = 0;
     Touches touches;
   };
@@ -145,10 +147,11 @@ class EngineImpl final : public Engine {
   }
   void setSurfaces();
   SurfaceAt surfaceAt(std::size_t w, const StepInputs &in);
-  SurfaceStep<P> surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
+  SurfaceStepView<P> surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
+  void launchSurface(const StepView<P> &v, std::size_t w, const StepInputs &in);
   void markNearSurfaces(const StepView<P> &v, const StepInputs &in);
   void sumSurfaces(const StepView<P> &v, const StepInputs &in);
-  void makeRoomForTouches(std::size_t w, SurfaceStep<P> &step);
+  void makeRoomForTouches(std::size_t w, SurfaceStepView<P> &step);
   void collectTouches(std::size_t w);
   RegionStep<P> regionStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
   void markNearRegions();

@@ -258,7 +258,7 @@ void EngineImpl<Exec, P>::launchRegions(const StepView<P> &v, const StepInputs &
   markNearSurfaces(v, in);  // the bit that says near is the same for all walls of their own launch
   for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
     if (isRegion(w)) exec_.forEach(count_, regionStep(v, w, in));
-    if (isSurface(w)) exec_.forEach(surfaces_[w].nearGrains, surfaceStep(v, w, in));
+    if (isSurface(w)) launchSurface(v, w, in);
   }
 }
 

@@ -105,18 +105,20 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     s.nearGrains = exec_.exclusiveScan(s.near.data(), uintScratch_.data(), count_);
     s.nearGrain.reserveWithSlack(s.nearGrains);
     s.nearList.reserveWithSlack(static_cast<std::size_t>(NearList::most) * s.nearGrains);
+    s.nearGap.reserveWithSlack(static_cast<std::size_t>(NearList::most) * s.nearGrains);
+    s.nearFrom.reserveWithSlack(s.nearGrains);
     exec_.forEach(count_, ListMarked{s.near.data(), uintScratch_.data(), nullptr, 1, s.nearGrain.data()});
     s.nearSlots.reserveWithSlack(s.nearGrains);
     exec_.forEach(s.nearGrains, ListNear<P>{m, room, s.nearGrain.data(), s.nearGrains, scene_.walls[w].mostContacts,
-                                                 s.nearList.data(), s.nearSlots.data()});
+                                            s.nearList.data(), s.nearGap.data(), s.nearFrom.data(), s.nearSlots.data()});
   }
 }
 
 template <class Exec, class P>
-SurfaceStep<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in)
+SurfaceStepView<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in)
 {
   const WallSpec &spec = scene_.walls[w];
-  SurfaceStep<P> r{};
+  SurfaceStepView<P> r{};
   r.count = count_;
   r.sequence = v.sequence;
   r.status = v.status;
@@ -138,6 +140,8 @@ SurfaceStep<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_
   }
   r.nearGrain = surfaces_[w].nearGrain.data();
   r.nearList = surfaces_[w].nearList.data();
+  r.nearGap = surfaces_[w].nearGap.data();
+  r.nearFrom = surfaces_[w].nearFrom.data();
   r.nearSlots = surfaces_[w].nearSlots.data();
   r.nearGrains = surfaces_[w].nearGrains;
   r.load = regionLoad_[w].data();
@@ -145,9 +149,22 @@ SurfaceStep<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::size_
   return r;
 }
 
+/// The kernel that holds the wall's law alone, where there is one.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::launchSurface(const StepView<P> &v, std::size_t w, const StepInputs &in)
+{
+  const SurfaceStepView<P> step = surfaceStep(v, w, in);
+  const std::uint32_t grains = surfaces_[w].nearGrains;
+  if (!scene_.walls[w].model) return exec_.forEach(grains, SurfaceStep<P, AnyWallLaw>(step));
+  const ModelCoefficients<Real> law = coefficients<Real>(*scene_.walls[w].model);
+  withKernelProduct(law.model, law.slipLever != Real(0), [&](auto product) {
+    exec_.forEach(grains, SurfaceStep<P, ModelWallLaw<decltype(product)>>(step));
+  });
+}
+
 /// Places for all contacts that grains near the surface may have.
 template <class Exec, class P>
-void EngineImpl<Exec, P>::makeRoomForTouches(std::size_t w, SurfaceStep<P> &step)
+void EngineImpl<Exec, P>::makeRoomForTouches(std::size_t w, SurfaceStepView<P> &step)
 {
   Touches &t = surfaces_[w].touches;
   t.at.reserve(static_cast<std::size_t>(count_) + 1);

@@ -9,12 +9,10 @@
 
 namespace gpudem {
 
-/// One surface at one step: loads of the grains near it.
+/// One surface at one step.
 template <class P>
-struct SurfaceStep {
+struct SurfaceStepView {
   using Real = typename P::Real;
-  static constexpr int blockSize = 64;
-  static constexpr int minimumBlocks = P::fine ? 5 : 8;  // 128 registers in mixed: the loads of more warps overlap
 
   std::uint32_t count, sequence;  ///< as in StepView
   Status *status;
@@ -31,32 +29,46 @@ struct SurfaceStep {
   SurfaceAt at;
   const std::uint32_t *nearGrain;  ///< grains near the surface
   const std::uint32_t *nearList;   ///< [NearList::most][nearGrains] see NearList
+  const float *nearGap;            ///< likewise
+  const Vec3<double> *nearFrom;    ///< [nearGrains] centres when this was listed, in the frame of the body (distance)
   std::uint32_t *nearSlots;        ///< [nearGrains] SurfaceSlots::inUse
   std::uint32_t nearGrains;
   Vec3<Real> *load;  ///< [n] forces, [n] torques; those of grains that are not near are zero
   const std::uint32_t *touchAt;  ///< [n] first place of a grain in \c touch
   SurfaceTouch *touch;           ///< mostContacts for every near grain, or null
+};
 
+/// Loads of the grains near a surface. \tparam Law AnyWallLaw or ModelWallLaw
+template <class P, class Law>
+struct SurfaceStep : SurfaceStepView<P> {
+  using Real = typename P::Real;
+  static constexpr int blockSize = 64;
+  static constexpr int minimumBlocks = P::fine ? 5 : 8;  // 128 registers in mixed: the loads of more warps overlap
+
+  GPUDEM_HD explicit SurfaceStep(const SurfaceStepView<P> &v) : SurfaceStepView<P>(v) {}
   GPUDEM_HD void operator()(std::uint32_t k) const
   {
-    if (sequence > status->lastAllowed) return;
-    const std::uint32_t i = nearGrain[k];
-    Motion<Real> m = motion[i];
+    const SurfaceStepView<P> &s = *this;
+    if (s.sequence > s.status->lastAllowed) return;
+    const std::uint32_t i = s.nearGrain[k];
+    Motion<Real> m = s.motion[i];
     SurfaceLoad<Real> l{};
-    if (m.word & wall.role) {
-      if (m.word & flatRole) m.vz = m.wx = m.wy = Real(0);
-      const FixedPosition p = loadPosition(position, i, m.word);
-      const Vec3<double> x = absolutePosition(p, cell[i], grid, frame);
-      SurfaceSlots<Real> slots{wall.history + static_cast<std::size_t>(wall.historySize) * i, mostContacts,
-                               wall.historySize / mostContacts, nearSlots[k]};
-      l = surfaceLoad(wall, at, slots, i, count, x, p.radius, m, dt, advance, NearList{nearList + k, nearGrains},
-                      touch ? touch + touchAt[i] : nullptr);
-      nearSlots[k] = slots.inUse;
-      if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&status->crowded, i);
-      if (l.trouble == SurfaceTrouble::Crossed) atomicLower(&status->crossed, i);
+    if (m.word & s.wall.role) {
+      if (m.word & s.flatRole) m.vz = m.wx = m.wy = Real(0);
+      const FixedPosition p = loadPosition(s.position, i, m.word);
+      const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame), inBody = s.at.pose.toBody(x);
+      const Vec3<float> way = (inBody - s.nearFrom[k]).template as<float>();
+      const NearList list{s.nearList + k, s.nearGap + k, s.nearGrains, squareRoot(dot(way, way)) * 1.000001f};
+      SurfaceSlots<Real> slots{s.wall.history + static_cast<std::size_t>(s.wall.historySize) * i, s.mostContacts,
+                               s.wall.historySize / s.mostContacts, s.nearSlots[k]};
+      l = surfaceLoad<Law>(s.wall, s.at, slots, i, s.count, x, inBody, p.radius, m, s.dt, s.advance, list,
+                           s.touch ? s.touch + s.touchAt[i] : nullptr);
+      s.nearSlots[k] = slots.inUse;
+      if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&s.status->crowded, i);
+      if (l.trouble == SurfaceTrouble::Crossed) atomicLower(&s.status->crossed, i);
     }
-    load[i] = l.force;
-    load[count + i] = l.torque;
+    s.load[i] = l.force;
+    s.load[s.count + i] = l.torque;
   }
 };
 
@@ -167,6 +179,8 @@ struct ListNear {
   std::uint32_t grains;
   int mostContacts;
   std::uint32_t *list;   ///< [NearList::most][grains]
+  float *gap;            ///< likewise
+  Vec3<double> *from;    ///< [grains] centres in the frame of the body (distance)
   std::uint32_t *slots;  ///< [grains] SurfaceSlots::inUse
 
   GPUDEM_HD void operator()(std::uint32_t k) const
@@ -174,7 +188,8 @@ struct ListNear {
     if (mark.sequence > mark.status->lastAllowed) return;
     const std::uint32_t i = grain[k];
     const FixedPosition p = loadPosition(mark.position, i, mark.motion[i].word);
-    listNear(mark.at.surface, mark.inBody(i, p), p.radius + mark.margin, room, list + k, grains);
+    from[k] = mark.inBody(i, p);
+    listNear(mark.at.surface, from[k], p.radius + mark.margin, room, list + k, gap + k, grains);
     slots[k] = slotsOf(mark.history + static_cast<std::size_t>(mark.historySize) * i, mostContacts, mark.historySize).inUse;
   }
 };

@@ -72,15 +72,15 @@ GPUDEM_HD ContactForce<Real> classicWallForce(const WallView<Real> &wall, const 
 }
 
 /// Product law at a wall; what it keeps is updated in place.
-template <class Real>
+template <class Law = AnyProduct, class Real>
 GPUDEM_HD ContactForce<Real> modelWallForce(const WallView<Real> &wall, const Contact<Real> &c, Real *kept, Real dt,
                                             bool advance)
 {
   ModelHistory<Real> h{};
-  if (wall.flag) *kept++ = Real(1);
-  moveHistory<AnyProduct>(wall.layout, h, [&](Real &inRegister, int at) { inRegister = kept[at]; });
-  const ContactForce<Real> f = AnyProduct::evaluate(*wall.model, c, h, dt, advance);
-  moveHistory<AnyProduct>(wall.layout, h, [&](Real &inRegister, int at) { kept[at] = inRegister; });
+  if (Law::beyondTouch && wall.flag) *kept++ = Real(1);
+  moveHistory<Law>(wall.layout, h, [&](Real &inRegister, int at) { inRegister = kept[at]; });
+  const ContactForce<Real> f = Law::evaluate(*wall.model, c, h, dt, advance);
+  moveHistory<Law>(wall.layout, h, [&](Real &inRegister, int at) { kept[at] = inRegister; });
   return f;
 }
 

@@ -155,18 +155,42 @@ GPUDEM_HD Contact<Real> surfaceContact(const SurfaceContact &c, const Vec3<doubl
   return in;
 }
 
+/// The law of a wall of triangles, chosen when it acts.
+struct AnyWallLaw {
+  static constexpr bool beyondTouch = true;
+  template <class Real>
+  GPUDEM_HD static ContactForce<Real> force(const WallView<Real> &wall, const Contact<Real> &c, Real *kept, Real dt,
+                                            bool advance)
+  {
+    return wall.model ? modelWallForce(wall, c, kept, dt, advance) : classicWallForce(wall, c, kept, dt, advance);
+  }
+};
+/// The same of a wall whose law is known to be this product.
+template <class Law>
+struct ModelWallLaw {
+  static constexpr bool beyondTouch = Law::beyondTouch;
+  template <class Real>
+  GPUDEM_HD static ContactForce<Real> force(const WallView<Real> &wall, const Contact<Real> &c, Real *kept, Real dt,
+                                            bool advance)
+  {
+    return modelWallForce<Law>(wall, c, kept, dt, advance);
+  }
+};
+template <>
+struct ModelWallLaw<AnyProduct> : AnyWallLaw {};
+
 /// Contacts that hold: those within touch, and adhesive ones that were there and are within the gap.
-template <class Real>
+template <class Law, class Real>
 GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
-                           const Vec3<double> &x, double radius, const NearList &list, SurfaceContacts &c)
+                           const Vec3<double> &inBody, double radius, const NearList &list, SurfaceContacts &c)
 {
   bool holds = false;
-  if (wall.flag) {
+  if (Law::beyondTouch && wall.flag) {
     holds = wall.model->beforeTouch;
     for (int k = 0; k < slots.most; ++k) holds = holds || (slots.used(k) && slots.at(k)[directionNumbers] != Real(0));
   }
   const double gap = holds ? static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(radius))) : 0.0;
-  surfaceContacts(s.surface, s.pose.toBody(x), radius + gap, c, list);
+  surfaceContacts(s.surface, inBody, radius + gap, c, list);
 }
 
 /// One contact in \p touch.
@@ -190,18 +214,18 @@ GPUDEM_HD void recordTouch(const SurfaceAt &s, const SurfaceContact &contact, co
 }
 
 /// Force and torque of all contacts; what they keep and the recorded contact (the deepest) are updated.
-/// \param list where to look, see surfaceContacts()
+/// \param x, inBody the centre, also in the frame of the body \param list where to look, see surfaceContacts()
 /// \param touch [mostContacts] all contacts, those without force left as they are; null if not wanted
-template <class Real>
+template <class Law = AnyWallLaw, class Real>
 GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const SurfaceAt &s, SurfaceSlots<Real> &slots,
-                                        std::uint32_t i, std::uint32_t count, const Vec3<double> &x, double radius,
-                                        const Motion<Real> &m, Real dt, bool advance, const NearList &list,
-                                        SurfaceTouch *touch)
+                                        std::uint32_t i, std::uint32_t count, const Vec3<double> &x,
+                                        const Vec3<double> &inBody, double radius, const Motion<Real> &m, Real dt,
+                                        bool advance, const NearList &list, SurfaceTouch *touch)
 {
   const Vec3<Real> none{Real(0), Real(0), Real(0)};
   SurfaceLoad<Real> load{none, none, SurfaceTrouble::None};
   SurfaceContacts c;
-  findHolding(wall, s, slots, x, radius, list, c);
+  findHolding<Law>(wall, s, slots, inBody, radius, list, c);
   if (c.count > slots.most) {
     load.trouble = SurfaceTrouble::Crowded;
     c.count = slots.most;
@@ -213,12 +237,11 @@ GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const Surfac
     const Vec3<double> normal = s.pose.turned(contact.normal), at = x - normal * contact.distance;
     const Contact<Real> in = surfaceContact(contact, normal, s.pose.velocityAt(at), radius, m);
     Real *kept = slots.size > directionNumbers ? slots.at(slot[k]) + directionNumbers : nullptr;
-    if (wall.flag && contact.distance >= radius && kept[0] == Real(0) && !wall.model->beforeTouch) {
+    if (Law::beyondTouch && wall.flag && contact.distance >= radius && kept[0] == Real(0) && !wall.model->beforeTouch) {
       slots.clear(slot[k]);  // another contact's neck made the search reach farther
       continue;
     }
-    const ContactForce<Real> f =
-        wall.model ? modelWallForce(wall, in, kept, dt, advance) : classicWallForce(wall, in, kept, dt, advance);
+    const ContactForce<Real> f = Law::force(wall, in, kept, dt, advance);
     const Real weight = static_cast<Real>(contact.weight);
     const Vec3<Real> torque = (f.moment - f.couple * (static_cast<Real>(radius) - f.shorter)) * weight;
     load.force += f.force * weight;

@@ -29,6 +29,8 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   for (const SurfaceWall &s : surfaces_) {
     add(s.copy);
     for (const auto *a : {&s.near, &s.nearGrain, &s.nearList, &s.nearSlots, &s.touches.at}) add(*a);
+    add(s.nearGap);
+    add(s.nearFrom);
     add(s.touches.room);
   }
   add(models_);

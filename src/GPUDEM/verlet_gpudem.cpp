@@ -66,6 +66,7 @@ void VerletGpudem::cleanup()
   if (onDevice) {
     try {
       printGhosts();
+      printMemory();
       state.downloadAll(plan);
     } catch (const gpudem::Error &e) {
       fail(e);

@@ -45,6 +45,7 @@ class VerletGpudem : public Verlet {
   void printSurfaces();
   std::string describeRanks() const;
   void printGhosts();
+  void printMemory();
 
   void setupResident(int flag);
   void runResident(int n);
@@ -84,6 +85,7 @@ class VerletGpudem : public Verlet {
   int rebuildInterval = 16;  ///< steps between the last two rebuilds
   std::string printedLevels; ///< the line on neighbour levels printed last
   std::string printed;       ///< the block printed last
+  std::string printedMemory; ///< the line on memory printed last
   bigint sumsStep = -1;
   std::map<std::pair<unsigned, gpudem::Array3>, gpudem::KineticSums> sums;
 };

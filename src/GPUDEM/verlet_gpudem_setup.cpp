@@ -99,6 +99,21 @@ void VerletGpudem::printGhosts()
                    handOvers, neighbor->ncalls, -values[0], values[1], values[2]);
 }
 
+/// "GPUDEM memory: 412 bytes per grain on the device, 13.2 MB in all", arrays that other ranks have included
+void VerletGpudem::printMemory()
+{
+  if (!gpudemSettings(lmp).verbose || atom->natoms == 0) return;
+  double bytes = static_cast<double>(state.engine().memory().bytes), sum = 0.0, most = 0.0;
+  MPI_Allreduce(&bytes, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&bytes, &most, 1, MPI_DOUBLE, MPI_MAX, world);
+  std::string line = fmt::format("GPUDEM memory: {:.0f} bytes per grain on the device, {:.3g} MB in all",
+                                 sum / static_cast<double>(atom->natoms), 1e-6 * sum);
+  if (comm->nprocs > 1) line += fmt::format(", at most {:.3g} MB of a rank", 1e-6 * most);
+  if (line == printedMemory) return;
+  printedMemory = line;
+  if (comm->me == 0) utils::logmesg(lmp, line + "\n");
+}
+
 void VerletGpudem::printPlan()
 {
   if (comm->me != 0 || !gpudemSettings(lmp).verbose) return;

@@ -26,7 +26,13 @@ MemoryReport EngineImpl<Exec, P>::memory() const
   for (const auto *a : {&storeSpring_, &virial_}) add(*a);
   for (const auto &a : wallHistory_) add(a);
   for (const auto &a : regionLoad_) add(a);
-  for (const SurfaceWall &s : surfaces_) add(s.copy);
+  for (const SurfaceWall &s : surfaces_) {
+    add(s.copy);
+    for (const auto *a : {&s.near, &s.nearGrain, &s.nearList, &s.nearSlots, &s.touches.at}) add(*a);
+    add(s.nearGap);
+    add(s.nearFrom);
+    add(s.touches.room);
+  }
   add(models_);
   add(cells_);
   add(ghostCells_);

@@ -61,7 +61,10 @@ bool GpudemSettings::set(const std::string &keyword, const std::string &value)
   else if (keyword == "threads") threads = value == "auto" ? 0 : wholeNumber(keyword, value, 1);
   else if (keyword == "neighbor") neighbor = oneOf(keyword, value, {"auto", "single", "multigrid"});
   else if (keyword == "levels") levels = value == "auto" ? 0 : wholeNumber(keyword, value, 1, gpudem::mostLevels);
-  else if (keyword == "warps") warps = std::stoi(oneOf(keyword, value == "auto" ? "0" : value, {"0", "1", "2", "4"}));
+  else if (keyword == "warps") {
+    const std::string chosen = oneOf(keyword, value, {"auto", "1", "2", "4"});
+    warps = chosen == "auto" ? 0 : std::stoi(chosen);
+  }
   else if (keyword == "conventions") conventions = oneOf(keyword, value, {"corrected", "lammps"});
   else if (keyword == "info") verbose = oneOf(keyword, value, {"yes", "no"}) == "yes";
   else return false;

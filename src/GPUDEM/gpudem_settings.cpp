@@ -79,7 +79,10 @@ GpudemSettings &LAMMPS_NS::gpudemSettings(LAMMPS *lmp)
   GpudemSettings &s = instances()[lmp];
   const struct {
     const char *name, *keyword;
-  } variables[] = {{"GPUDEM_DEVICE", "device"}, {"GPUDEM_PRECISION", "precision"}, {"GPUDEM_THREADS", "threads"}};
+  } variables[] = {{"GPUDEM_DEVICE", "device"},
+                   {"GPUDEM_PRECISION", "precision"},
+                   {"GPUDEM_THREADS", "threads"},
+                   {"GPUDEM_WARPS", "warps"}};
   for (const auto &v : variables) {
     const char *value = std::getenv(v.name);
     if (!value || !*value) continue;

@@ -26,7 +26,7 @@ struct GpudemSettings {
   static std::string keywords();
 };
 
-/// Settings of \p lmp; created from the environment (GPUDEM_DEVICE, GPUDEM_PRECISION, GPUDEM_THREADS) on first use.
+/// Settings of \p lmp; created from the environment (GPUDEM_DEVICE and its kind) on first use.
 GpudemSettings &gpudemSettings(LAMMPS *lmp);
 /// Forget them: a new instance, or the clear command.
 void resetGpudemSettings(LAMMPS *lmp);

@@ -29,7 +29,7 @@ class EmulatedExec : public CpuExec {
   std::string name() const { return "emulated GPU"; }
 
   template <class F>
-  void forEachWarp(std::uint32_t count, const F &f) const
+  void forEachWarp(std::uint32_t count, const F &f, Start = Start::InTurn) const
   {
     for (std::uint32_t first = 0; first < count; first += 32) {
       typename F::Shared shared;
@@ -40,7 +40,7 @@ class EmulatedExec : public CpuExec {
     }
   }
   template <class F>
-  void forEachTeam(std::uint32_t units, const F &f) const
+  void forEachTeam(std::uint32_t units, const F &f, Start = Start::InTurn) const
   {
     for (std::uint32_t unit = 0; unit < units; ++unit) {
       typename F::Shared shared;

@@ -5,6 +5,7 @@
 
 #include "base/buffer.hpp"
 #include "base/saturated.hpp"
+#include "base/warp.hpp"
 #include "gpudem/errors.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ class CpuExec {
   static void release(void *p) noexcept { std::free(p); }
 
   template <class F>
-  void forEach(std::uint32_t count, const F &f) const
+  void forEach(std::uint32_t count, const F &f, Start = Start::InTurn) const
   {
     inTeam(count, 1024, f);
   }

@@ -7,6 +7,7 @@
 #include "base/identity.hpp"
 #include "base/kernel_times.cuh"
 #include "base/saturated.hpp"
+#include "base/warp.hpp"
 #include "gpudem/errors.h"
 
 #include <cub/cub.cuh>
@@ -111,43 +112,21 @@ class GpuExec {
   }
 
   template <class F>
-  void forEach(std::uint32_t count, const F &f) const
+  void forEach(std::uint32_t count, const F &f, Start start = Start::InTurn) const
   {
-    if (count == 0) return;
-    const std::uint32_t blocks = (count + F::blockSize - 1) / F::blockSize;
-    const TimedLaunch timed(typeid(F).name());
-    forEachKernel<F><<<blocks, F::blockSize>>>(count, f);
-    check(cudaGetLastError(), "launching a kernel");
-#ifdef GPUDEM_SYNC_LAUNCHES
-    check(cudaDeviceSynchronize(), "running a kernel");
-#endif
+    launch(forEachKernel<F>, (count + F::blockSize - 1) / F::blockSize, start, f, count, f);
   }
-
   /// f(i, i < count, memory of the warp) for whole warps, whose lanes work together.
   template <class F>
-  void forEachWarp(std::uint32_t count, const F &f) const
+  void forEachWarp(std::uint32_t count, const F &f, Start start = Start::InTurn) const
   {
-    if (count == 0) return;
-    const std::uint32_t blocks = (count + F::blockSize - 1) / F::blockSize;
-    const TimedLaunch timed(typeid(F).name());
-    forEachWarpKernel<F><<<blocks, F::blockSize>>>(count, f);
-    check(cudaGetLastError(), "launching a kernel");
-#ifdef GPUDEM_SYNC_LAUNCHES
-    check(cudaDeviceSynchronize(), "running a kernel");
-#endif
+    launch(forEachWarpKernel<F>, (count + F::blockSize - 1) / F::blockSize, start, f, count, f);
   }
-
   /// f(unit, memory of the team) for teams of F::teamWarps warps.
   template <class F>
-  void forEachTeam(std::uint32_t units, const F &f) const
+  void forEachTeam(std::uint32_t units, const F &f, Start start = Start::InTurn) const
   {
-    if (units == 0) return;
-    const TimedLaunch timed(typeid(F).name());
-    forEachTeamKernel<F><<<units, F::blockSize>>>(f);
-    check(cudaGetLastError(), "launching a kernel");
-#ifdef GPUDEM_SYNC_LAUNCHES
-    check(cudaDeviceSynchronize(), "running a kernel");
-#endif
+    launch(forEachTeamKernel<F>, units, start, f, f);
   }
   /// Warps that the chip needs to be busy.
   std::uint32_t fewWarps() const { return 16u * static_cast<std::uint32_t>(properties_.multiProcessorCount); }
@@ -243,6 +222,25 @@ class GpuExec {
   }
 
  private:
+  template <class F, class Kernel, class... Arguments>
+  void launch(Kernel *kernel, std::uint32_t blocks, Start start, const F &, const Arguments &...arguments) const
+  {
+    if (blocks == 0) return;
+    const TimedLaunch timed(typeid(F).name());
+    cudaLaunchAttribute early{};
+    early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+    early.val.programmaticStreamSerializationAllowed = 1;
+    cudaLaunchConfig_t config{};
+    config.gridDim = dim3(blocks);
+    config.blockDim = dim3(F::blockSize);
+    config.attrs = &early;
+    config.numAttrs = start == Start::Early ? 1 : 0;
+    check(cudaLaunchKernelEx(&config, kernel, arguments...), "launching a kernel");
+#ifdef GPUDEM_SYNC_LAUNCHES
+    check(cudaDeviceSynchronize(), "running a kernel");
+#endif
+  }
+
   cudaDeviceProp properties_{};
   Array<unsigned char> scratch_{"scratch of CUB"};
   Array<unsigned char> result_{"result of a reduction"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Copyright (c) 2026 The GPUDEM developers
-/// \file What the 32 lanes of a warp do together, and the warps of a team. All lanes must call each of these. On the host they are declared only:
+/// \file What the 32 lanes of a warp do together, and the warps of a team; launches that overlap. All lanes must call each of these. On the host they are declared only:
 /// the tests define them, and run the code of the GPU lane by lane (unittest/testing/emulated_warp.h).
 #pragma once
 
@@ -11,6 +11,9 @@
 namespace gpudem {
 
 constexpr std::uint32_t warpWidth = 32;
+
+/// When a launch begins: after all before it, or on a GPU as soon as the one before lets it (letNextStart()).
+enum class Start { InTurn, Early };
 
 namespace host {
 std::uint32_t lane();
@@ -105,6 +108,21 @@ GPUDEM_HD void warpSync()
   __syncwarp();
 #else
   warpBallot(false);
+#endif
+}
+
+/// From here on a launch that was made with Start::Early may begin while this one goes on.
+GPUDEM_HD void letNextStart()
+{
+#ifdef __CUDA_ARCH__
+  asm volatile("griddepcontrol.launch_dependents;");
+#endif
+}
+/// What the launches before wrote is seen after this. A launch made with Start::Early must call it.
+GPUDEM_HD void waitForEarlier()
+{
+#ifdef __CUDA_ARCH__
+  asm volatile("griddepcontrol.wait;" ::: "memory");
 #endif
 }
 

@@ -102,7 +102,7 @@ class EngineImpl final : public Engine {
     bool markQueued = false;  ///< the launches that find them are queued, and may not have been allowed
     BodyPose markedAt{};      ///< and were found here
     double room = 0.0;        ///< how far it may move until they are looked for anew (distance); 0 for one at rest
-    Array<std::uint32_t> near{"grains near a surface"};  ///< [n] 1 or 0
+    Array<std::uint32_t> near{"grains near a surface"};  ///< [n] 1 or 0; those of 0 keep nothing
     Array<std::uint32_t> nearGrain{"grains near a surface (2)"}, nearList{"triangles near grains"},
         nearSlots{"contacts of near grains"};
     Array<float> nearGap{"distances of near triangles"};
@@ -150,7 +150,7 @@ class EngineImpl final : public Engine {
   void setSurfaces();
   SurfaceAt surfaceAt(std::size_t w, const StepInputs &in);
   SurfaceStepView<P> surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
-  void launchSurface(const StepView<P> &v, std::size_t w, const StepInputs &in);
+  void launchSurface(const StepView<P> &v, std::size_t w, const StepInputs &in, Start start);
   void markNearSurfaces(const StepView<P> &v, const StepInputs &in);
   void sumSurfaces(const StepView<P> &v, const StepInputs &in);
   void makeRoomForTouches(std::size_t w, SurfaceStepView<P> &step);
@@ -172,6 +172,7 @@ class EngineImpl final : public Engine {
   void adaptSkin(const Box &box);
   void reframe(const Frame &frame);
   void rebuildIn(const CellGrid &fresh);
+  void permuteWall(std::size_t w);
   void buildTable();
   void setAnchors();
   VelocityRange velocities();
@@ -209,6 +210,7 @@ class EngineImpl final : public Engine {
   std::uint32_t ghosts_ = 0;  ///< grains of others, behind them
   GhostLayer<Exec, P> layer_;
   Home home_;
+  Start contactsStart_ = Start::InTurn;  ///< Early: walls that are launches of their own may still be at work
   const UnitList *part_ = nullptr;  ///< units that the launch at hand is for, null: all
   bool stopAgreed_ = false, rebuildAgreed_ = false;  ///< alarms of any rank
   float longestAgreed2_ = 0.0f;                      ///< longest squared step of any rank (distance^2)

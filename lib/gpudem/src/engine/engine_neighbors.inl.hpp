@@ -129,6 +129,23 @@ void EngineImpl<Exec, P>::reframe(const Frame &frame)
   anchorRule_ = chooseAnchors(frame_, skin_);
 }
 
+/// What grains keep of a wall, in their new order.
+template <class Exec, class P>
+void EngineImpl<Exec, P>::permuteWall(std::size_t w)
+{
+  const auto size = static_cast<std::uint32_t>(wallSize_[w]);
+  if (size) {
+    const std::uint32_t *keeps = isSurface(w) ? surfaces_[w].near.data() : nullptr;
+    const std::uint32_t most = (1u << 31) / size;  // grains of a launch
+    blockScratch_.reserve(wallHistory_[w].capacity());
+    for (std::uint32_t first = 0; first < count_; first += most)
+      exec_.forEach(std::min(most, count_ - first) * size, GatherBlocks<Real>{size, first, order_.data(), keeps,
+                                                                              wallHistory_[w].data(), blockScratch_.data()});
+    wallHistory_[w].swap(blockScratch_);
+  }
+  if (isSurface(w)) permute(surfaces_[w].near, uintScratch_);
+}
+
 /// The rebuild proper, into cells that are known to be good.
 template <class Exec, class P>
 void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
@@ -165,13 +182,7 @@ void EngineImpl<Exec, P>::rebuildIn(const CellGrid &fresh)
     permute(force_, vecScratch_);
     permute(torque_, vecScratch_);
   }
-  for (std::size_t w = 0; w < wallSize_.size(); ++w) {
-    if (!wallSize_[w]) continue;
-    blockScratch_.reserve(wallHistory_[w].capacity());
-    exec_.forEach(count_,
-                  GatherBlocks<Real>{wallSize_[w], order_.data(), wallHistory_[w].data(), blockScratch_.data()});
-    wallHistory_[w].swap(blockScratch_);
-  }
+  for (std::size_t w = 0; w < wallSize_.size(); ++w) permuteWall(w);
   if (origin_.capacity()) permute(origin_, originScratch_);
 
   const VelocityRange range = velocities();
@@ -246,13 +257,7 @@ void EngineImpl<Exec, P>::setAnchors()
   s.anchor = anchor_.data();
   exec_.forEach(count_, s);
   markNearRegions();
-  for (std::size_t w = 0; w < surfaces_.size(); ++w) {
-    if (!isSurface(w)) continue;
-    SurfaceWall &s = surfaces_[w];
-    s.marked = false;
-    s.near.reserve(count_);  // none is near, should the launch that looks for them not be allowed
-    exec_.fill(s.near.data(), count_, 0);
-  }
+  for (SurfaceWall &s : surfaces_) s.marked = false;
 }
 
 }  // namespace gpudem

@@ -217,11 +217,11 @@ void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
     const std::uint32_t *slice = part_ ? part_->unit : nullptr, slices = part_ ? part_->count : chunksOf(count_, 32);
     if constexpr (mode == StepMode::Fused) {
       const int warps = warpsPerSlice(slices);
-      if (warps == 4) return exec_.forEachTeam(slices, TeamContacts<P, Law, walls, 4>{{v}, slice});
-      if (warps == 2) return exec_.forEachTeam(slices, TeamContacts<P, Law, walls, 2>{{v}, slice});
+      if (warps == 4) return exec_.forEachTeam(slices, TeamContacts<P, Law, walls, 4>{{v}, slice}, contactsStart_);
+      if (warps == 2) return exec_.forEachTeam(slices, TeamContacts<P, Law, walls, 2>{{v}, slice}, contactsStart_);
     }
     using Kernel = WarpContacts<P, Law, mode, walls>;
-    exec_.forEachWarp(part_ ? 32 * slices : count_, Kernel{{v}, slice});
+    exec_.forEachWarp(part_ ? 32 * slices : count_, Kernel{{v}, slice}, contactsStart_);
   } else {
     using Kernel = ContactChunk<P, Law, mode, walls>;
     if (part_) return exec_.forEachChunk(part_->count, OnChunks<Kernel>{Kernel{v, table_.view()}, part_->unit});
@@ -274,9 +274,12 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::launchRegions(const StepView<P> &v, const StepInputs &in)
 {
   markNearSurfaces(v, in);  // the bit that says near is the same for all walls of their own launch
+  contactsStart_ = Start::InTurn;
   for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
-    if (isRegion(w)) exec_.forEach(count_, regionStep(v, w, in));
-    if (isSurface(w)) launchSurface(v, w, in);
+    if (!isApart(scene_.walls[w])) continue;
+    if (isRegion(w)) exec_.forEach(count_, regionStep(v, w, in), contactsStart_);
+    else launchSurface(v, w, in, contactsStart_);
+    if ((isRegion(w) ? count_ : surfaces_[w].nearGrains) != 0) contactsStart_ = Start::Early;  // there was a launch
   }
 }
 

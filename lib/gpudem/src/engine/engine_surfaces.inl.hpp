@@ -78,7 +78,6 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     // a grain may be half a skin from where it was when the rows were built, and go as far to the other side
     const bool fresh = drift_.steps() == 0;
     const double room = (fresh ? 0.5 : 1.0) * skin_ + drift_.room() + s.room;
-    const bool known = s.marked;  // near[] holds what was found for these rows
     s.marked = true;
     s.markQueued = v.sequence != 0;
     s.markedAt = at.pose;
@@ -98,7 +97,6 @@ void EngineImpl<Exec, P>::markNearSurfaces(const StepView<P> &v, const StepInput
     m.historySize = wallSize_[w];
     m.load = regionLoad_[w].data();
     m.anchor = anchor_.data();
-    m.known = known;
     m.near = s.near.data();
     exec_.forEach(count_, m);
     uintScratch_.reserve(static_cast<std::size_t>(count_) + 1);
@@ -151,14 +149,14 @@ SurfaceStepView<P> EngineImpl<Exec, P>::surfaceStep(const StepView<P> &v, std::s
 
 /// The kernel that holds the wall's law alone, where there is one.
 template <class Exec, class P>
-void EngineImpl<Exec, P>::launchSurface(const StepView<P> &v, std::size_t w, const StepInputs &in)
+void EngineImpl<Exec, P>::launchSurface(const StepView<P> &v, std::size_t w, const StepInputs &in, Start start)
 {
   const SurfaceStepView<P> step = surfaceStep(v, w, in);
   const std::uint32_t grains = surfaces_[w].nearGrains;
-  if (!scene_.walls[w].model) return exec_.forEach(grains, SurfaceStep<P, AnyWallLaw>(step));
+  if (!scene_.walls[w].model) return exec_.forEach(grains, SurfaceStep<P, AnyWallLaw>(step), start);
   const ModelCoefficients<Real> law = coefficients<Real>(*scene_.walls[w].model);
   withKernelProduct(law.model, law.slipLever != Real(0), [&](auto product) {
-    exec_.forEach(grains, SurfaceStep<P, ModelWallLaw<decltype(product)>>(step));
+    exec_.forEach(grains, SurfaceStep<P, ModelWallLaw<decltype(product)>>(step), start);
   });
 }
 

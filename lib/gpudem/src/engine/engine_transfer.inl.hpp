@@ -103,6 +103,10 @@ void EngineImpl<Exec, P>::reserveParticles()
   torque_.reserve(n);
   for (std::size_t w = 0; w < wallSize_.size(); ++w) {
     if (isApart(scene_.walls[w])) regionLoad_[w].reserve(2 * n);
+    if (isSurface(w)) {
+      surfaces_[w].near.reserve(n);
+      exec_.fill(surfaces_[w].near.data(), n, 0);
+    }
     if (!wallSize_[w]) continue;
     wallHistory_[w].reserve(n * static_cast<std::size_t>(wallSize_[w]));
     exec_.fill(wallHistory_[w].data(), n * static_cast<std::size_t>(wallSize_[w]), 0);
@@ -344,7 +348,9 @@ void EngineImpl<Exec, P>::uploadWallHistory(int wall, const double *spring)
   if (!count_ || !size) return;
   const double *in = stageIn(spring, static_cast<std::size_t>(size) * count_);
   exec_.forEach(count_, ImportBlocks<Real>{size, in, hostIndex_.data(), wallHistory_[wall].data()});
-  surfaces_[static_cast<std::size_t>(wall)].marked = false;  // with the slots that grains use
+  SurfaceWall &surface = surfaces_[static_cast<std::size_t>(wall)];
+  surface.marked = false;  // with the slots that grains use
+  if (isSurface(static_cast<std::size_t>(wall))) exec_.forEach(count_, FillOnes{surface.near.data()});
 }
 
 template <class Exec, class P>

@@ -149,20 +149,29 @@ struct CopyValues {
   GPUDEM_HD void operator()(std::uint32_t i) const { out[i] = in[i]; }
 };
 
-/// Gather for blocks of \p size numbers per grain.
+/// Gather for blocks of \p size numbers per grain: number k of all grains from \p first on.
 template <class T>
 struct GatherBlocks {
   static constexpr int blockSize = 256;
   static constexpr int minimumBlocks = 1;
-  int size;
+  std::uint32_t size, first;
   const std::uint32_t *from;
+  const std::uint32_t *keeps;  ///< [n] in the old order: 0 if all numbers are zero; null: any may be something
   const T *in;
   T *out;
-  GPUDEM_HD void operator()(std::uint32_t i) const
+  GPUDEM_HD void operator()(std::uint32_t k) const
   {
-    for (int d = 0; d < size; ++d)
-      out[static_cast<std::size_t>(size) * i + d] = in[static_cast<std::size_t>(size) * from[i] + d];
+    const std::uint32_t i = first + k / size, old = from[i], d = k % size;
+    const bool some = !keeps || keeps[old] != 0u;
+    out[static_cast<std::size_t>(size) * i + d] = some ? in[static_cast<std::size_t>(size) * old + d] : T(0);
   }
+};
+
+struct FillOnes {
+  static constexpr int blockSize = 256;
+  static constexpr int minimumBlocks = 1;
+  std::uint32_t *out;
+  GPUDEM_HD void operator()(std::uint32_t i) const { out[i] = 1u; }
 };
 
 /// Quantised position and near-wall bit; springs of walls out of reach are forgotten.

@@ -62,6 +62,7 @@ struct TeamContacts : RowContacts<P, Law, StepMode::Fused> {
       teamSync();
     }
     if (warp != 0) return;
+    waitForEarlier();  // the loads of walls that are launches of their own
     float moved2 = 0.0f;
     if (inRange) {
       Motion<Real> m = s.motionIn[i];

@@ -39,6 +39,14 @@ struct RegionStep {
 
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
+    letNextStart();
+    act(i);
+    waitForEarlier();  // who waits for this launch waits for those before it
+  }
+
+ private:
+  GPUDEM_HD void act(std::uint32_t i) const
+  {
     if (sequence > status->lastAllowed || !(anchor[i] & nearRegionBit)) return;
     Motion<Real> m = motion[i];
     RegionLoad<Real> l{};

@@ -3,6 +3,7 @@
 /// \file A wall of triangles ahead of the contacts of a step, and which grains it may reach.
 #pragma once
 
+#include "base/warp.hpp"
 #include "step/observables.hpp"
 #include "step/step_view.hpp"
 #include "wall/surface_wall.hpp"
@@ -49,6 +50,7 @@ struct SurfaceStep : SurfaceStepView<P> {
   GPUDEM_HD void operator()(std::uint32_t k) const
   {
     const SurfaceStepView<P> &s = *this;
+    letNextStart();
     if (s.sequence > s.status->lastAllowed) return;
     const std::uint32_t i = s.nearGrain[k];
     Motion<Real> m = s.motion[i];
@@ -69,6 +71,7 @@ struct SurfaceStep : SurfaceStepView<P> {
     }
     s.load[i] = l.force;
     s.load[s.count + i] = l.torque;
+    waitForEarlier();  // who waits for this launch waits for those before it
   }
 };
 
@@ -136,8 +139,7 @@ struct MarkNearSurface {
   int historySize;
   Vec3<Real> *load;  ///< [n] forces, [n] torques
   std::uint32_t *anchor;
-  bool known;           ///< \c near tells who was near before; the others keep nothing
-  std::uint32_t *near;  ///< [n] 1 or 0
+  std::uint32_t *near;  ///< [n] 1 or 0; before, those that may keep something
 
   GPUDEM_HD Vec3<double> inBody(std::uint32_t i, const FixedPosition &p) const
   {
@@ -146,7 +148,7 @@ struct MarkNearSurface {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     if (sequence > status->lastAllowed) return;
-    const bool mayKeep = !known || near[i] != 0u;
+    const bool mayKeep = near[i] != 0u;
     near[i] = 0u;
     if (motion[i].word & role) {
       const FixedPosition p = loadPosition(position, i, motion[i].word);

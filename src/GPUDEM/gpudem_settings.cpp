@@ -62,7 +62,7 @@ bool GpudemSettings::set(const std::string &keyword, const std::string &value)
   else if (keyword == "neighbor") neighbor = oneOf(keyword, value, {"auto", "single", "multigrid"});
   else if (keyword == "levels") levels = value == "auto" ? 0 : wholeNumber(keyword, value, 1, gpudem::mostLevels);
   else if (keyword == "warps") {
-    const std::string chosen = oneOf(keyword, value, {"auto", "1", "2", "4"});
+    const std::string chosen = oneOf(keyword, value, {"auto", "1", "4"});
     warps = chosen == "auto" ? 0 : std::stoi(chosen);
   }
   else if (keyword == "conventions") conventions = oneOf(keyword, value, {"corrected", "lammps"});

@@ -16,7 +16,7 @@ struct GpudemSettings {
   int threads = 0;                        ///< CPU threads, 0 = automatic
   std::string neighbor = "auto";          ///< auto, single, multigrid
   int levels = 0;                         ///< of the multigrid, 0 = automatic
-  int warps = 0;                          ///< that take 32 grains together on a GPU: 1, 2, 4, 0 = automatic
+  int warps = 0;                          ///< that take 32 grains together on a GPU: 1, 4, 0 = automatic
   bool verbose = true;                    ///< print the block of choices at the start of a run
   int version = 0;                        ///< counts changes, so that an engine knows when it is out of date
 

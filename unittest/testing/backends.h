@@ -50,7 +50,6 @@ class OnBackend : public ::testing::TestWithParam<Backend> {
                         Backend{DeviceKind::Cpu, Precision::Mixed, true, 4},                                         \
                         Backend{DeviceKind::Gpu, Precision::Double}, Backend{DeviceKind::Gpu, Precision::Mixed},     \
                         Backend{DeviceKind::Gpu, Precision::Double, false, 4},                                       \
-                        Backend{DeviceKind::Gpu, Precision::Mixed, false, 2},                                        \
                         Backend{DeviceKind::Gpu, Precision::Mixed, false, 4}),                                       \
       backendName)
 

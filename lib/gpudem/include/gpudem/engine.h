@@ -220,7 +220,7 @@ struct EngineOptions {
   Precision precision = Precision::Mixed;
   int threads = 1;  ///< CPU threads
   int gpu = 0;      ///< device ordinal
-  int warps = 0;    ///< GPU: warps that take 32 grains together, 1, 2 or 4; 0: as many as keep the chip busy. Same bits
+  int warps = 0;    ///< GPU: warps that take 32 grains together, 1 or 4; 0: 4 in scenes that leave the chip idle. Same bits
 };
 
 /// Number of usable GPUs (0 when built without CUDA or without a driver).

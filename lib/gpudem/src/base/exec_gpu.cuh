@@ -128,8 +128,8 @@ class GpuExec {
   {
     launch(forEachTeamKernel<F>, units, start, f, f);
   }
-  /// Warps that the chip needs to be busy.
-  std::uint32_t fewWarps() const { return 16u * static_cast<std::uint32_t>(properties_.multiProcessorCount); }
+  /// Two warps for each scheduler.
+  std::uint32_t fewWarps() const { return 8u * static_cast<std::uint32_t>(properties_.multiProcessorCount); }
 
   template <class T, class F, class Op>
   T reduce(std::uint32_t count, const F &f, const Op &op, const T &init)

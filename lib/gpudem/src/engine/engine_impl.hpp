@@ -133,6 +133,9 @@ class EngineImpl final : public Engine {
   void launchLaw(const StepView<P> &v);
   template <class Law, StepMode mode, WallUse walls>
   void launchLawAndWalls(const StepView<P> &v);
+  template <class Product>
+  bool wallsAreServedBy(Product product) const;
+  static constexpr int mostTeam = 4;
   int warpsPerSlice(std::uint32_t slices) const;
   bool hasSurfaces() const;
   double mostRoomOfDrift() const;
@@ -247,6 +250,7 @@ class EngineImpl final : public Engine {
   Array<unsigned char> staging_{"staging"};
   Array<Status> status_{"status"};
   Array<ModelCoefficients<Real>> models_{"contact laws"};  ///< of the type pairs, then of the walls
+  std::vector<ModelCoefficients<Real>> wallModels_;        ///< of the walls, here
   std::vector<int> wallSize_;                              ///< numbers kept per grain and wall
   std::vector<int> wallPlace_;                             ///< of planes and cylinders in a launch, -1 for regions
   std::vector<std::uint8_t> wallSweeps_;                   ///< a region that changes its place

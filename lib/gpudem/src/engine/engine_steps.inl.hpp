@@ -91,8 +91,10 @@ void EngineImpl<Exec, P>::setLaws()
     needs_.slipLever = needs_.slipLever || k.slipLever != Real(0);
     needs_.beforeTouch = needs_.beforeTouch || k.beforeTouch;
   }
+  wallModels_.clear();
   for (const WallSpec &wall : scene_.walls)
-    table.push_back(wall.model ? coefficients<Real>(*wall.model) : ModelCoefficients<Real>{});
+    wallModels_.push_back(wall.model ? coefficients<Real>(*wall.model) : ModelCoefficients<Real>{});
+  table.insert(table.end(), wallModels_.begin(), wallModels_.end());
   models_.reserve(std::max<std::size_t>(1, table.size()));
   exec_.copyIn(models_.data(), table.data(), table.size());
 }
@@ -153,6 +155,7 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   v.driftY = coarseUnits(drift_.next().y, frame_.unit32.y);
   v.driftZ = coarseUnits(drift_.next().z, frame_.unit32.z);
   v.stepDrift = drift_.perStep().template as<float>();
+  v.wallsApart = std::any_of(scene_.walls.begin(), scene_.walls.end(), isApart);
   v.refresh = true;
   v.innerSkin = inner_.skin();
   v.innerStepLimit2 = inner_.stepLimit2();
@@ -197,15 +200,13 @@ StepView<P> EngineImpl<Exec, P>::view(const StepInputs &in, std::int64_t coming)
   return v;
 }
 
-/// How many warps take 32 grains together: a chip that is not full waits for the longest chain of instructions.
+/// How many warps take 32 grains together: a chip that is nearly empty waits for the longest chain of instructions. More
+/// than two warps on each scheduler lose more by waiting for one another than they gain (doc/performance.md).
 template <class Exec, class P>
 int EngineImpl<Exec, P>::warpsPerSlice(std::uint32_t slices) const
 {
   if (warps_) return warps_;
-  if constexpr (Exec::onGpu) {
-    if (4 * slices <= exec_.fewWarps()) return 4;
-    if (2 * slices <= exec_.fewWarps()) return 2;
-  }
+  if constexpr (Exec::onGpu) return mostTeam * slices <= exec_.fewWarps() ? mostTeam : 1;
   return 1;
 }
 
@@ -216,9 +217,8 @@ void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
   if constexpr (Exec::onGpu) {
     const std::uint32_t *slice = part_ ? part_->unit : nullptr, slices = part_ ? part_->count : chunksOf(count_, 32);
     if constexpr (mode == StepMode::Fused) {
-      const int warps = warpsPerSlice(slices);
-      if (warps == 4) return exec_.forEachTeam(slices, TeamContacts<P, Law, walls, 4>{{v}, slice}, contactsStart_);
-      if (warps == 2) return exec_.forEachTeam(slices, TeamContacts<P, Law, walls, 2>{{v}, slice}, contactsStart_);
+      if (warpsPerSlice(slices) == mostTeam)
+        return exec_.forEachTeam(slices, TeamContacts<P, Law, walls, mostTeam>{{v}, slice}, contactsStart_);
     }
     using Kernel = WarpContacts<P, Law, mode, walls>;
     exec_.forEachWarp(part_ ? 32 * slices : count_, Kernel{{v}, slice}, contactsStart_);
@@ -229,6 +229,19 @@ void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
   }
 }
 
+/// Have all planes and cylinders a law that this product evaluates?
+template <class Exec, class P>
+template <class Product>
+bool EngineImpl<Exec, P>::wallsAreServedBy(Product product) const
+{
+  for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
+    if (isApart(scene_.walls[w])) continue;
+    const ModelCoefficients<Real> &k = wallModels_[w];
+    if (!scene_.walls[w].model || !servesAll(product, k.model, k.slipLever != Real(0))) return false;
+  }
+  return true;
+}
+
 template <class Exec, class P>
 template <class Law, StepMode mode>
 void EngineImpl<Exec, P>::launchLaw(const StepView<P> &v)
@@ -237,6 +250,8 @@ void EngineImpl<Exec, P>::launchLaw(const StepView<P> &v)
   const auto hasModel = [](const WallSpec &wall) { return !isApart(wall) && wall.model; };
   if (std::none_of(scene_.walls.begin(), scene_.walls.end(), isPlain))
     return launchLawAndWalls<Law, mode, WallUse::None>(v);
+  if constexpr (Exec::onGpu && Law::moments && !std::is_same<typename Law::WallProduct, AnyProduct>::value)
+    if (wallsAreServedBy(typename Law::WallProduct{})) return launchLawAndWalls<Law, mode, WallUse::Same>(v);
   // a product's kernel is large anyway: it holds all wall code
   if (Law::moments || std::any_of(scene_.walls.begin(), scene_.walls.end(), hasModel))
     return launchLawAndWalls<Law, mode, WallUse::Any>(v);

@@ -154,7 +154,7 @@ void EngineImpl<Exec, P>::launchSurface(const StepView<P> &v, std::size_t w, con
   const SurfaceStepView<P> step = surfaceStep(v, w, in);
   const std::uint32_t grains = surfaces_[w].nearGrains;
   if (!scene_.walls[w].model) return exec_.forEach(grains, SurfaceStep<P, AnyWallLaw>(step), start);
-  const ModelCoefficients<Real> law = coefficients<Real>(*scene_.walls[w].model);
+  const ModelCoefficients<Real> &law = wallModels_[w];
   withKernelProduct(law.model, law.slipLever != Real(0), [&](auto product) {
     exec_.forEach(grains, SurfaceStep<P, ModelWallLaw<decltype(product)>>(step), start);
   });

@@ -10,14 +10,14 @@
 namespace gpudem {
 
 /// What follows the contact forces of grain \p i: force terms, then its motion or the record of the event.
-template <StepMode mode, WallUse walls, class P>
+template <StepMode mode, WallUse walls, class WallProduct = AnyProduct, class P>
 GPUDEM_HD void completeGrain(const StepView<P> &s, std::uint32_t i, FixedPosition &p, Motion<typename P::Real> &m,
                              Vec3<typename P::Real> force, Vec3<typename P::Real> torque,
                              const typename P::Real *virial)
 {
   using Real = typename P::Real;
   const std::uint32_t anchor = s.anchor[i];
-  applyForceTerms<walls>(s, i, p, anchor, m, force, torque);
+  applyForceTerms<walls, WallProduct>(s, i, p, anchor, m, force, torque);
   if (mode == StepMode::Fused) {
     kickGrain(s, i, p.radius, force, torque, Real(2), m);
     const bool moved = driftGrain(s, i, p, m);

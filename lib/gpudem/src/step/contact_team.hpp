@@ -62,14 +62,14 @@ struct TeamContacts : RowContacts<P, Law, StepMode::Fused> {
       teamSync();
     }
     if (warp != 0) return;
-    waitForEarlier();  // the loads of walls that are launches of their own
+    this->waitForWalls(i);
     float moved2 = 0.0f;
     if (inRange) {
       Motion<Real> m = s.motionIn[i];
       FixedPosition p = loadPosition(s.in, i, m.word);
       const auto sum = [&](int d) { return d < loads ? shared.sum[d][lane] : Real(0); };
       const Real virial[6] = {};
-      completeGrain<StepMode::Fused, walls>(s, i, p, m, Vec3<Real>{sum(0), sum(1), sum(2)},
+      completeGrain<StepMode::Fused, walls, typename Law::WallProduct>(s, i, p, m, Vec3<Real>{sum(0), sum(1), sum(2)},
                                             Vec3<Real>{sum(3), sum(4), sum(5)}, virial);
       moved2 = strayed2(s, coarsePart(p), c);
     }

@@ -60,7 +60,7 @@ struct WarpContacts : RowContacts<P, Law, mode> {
       near = !s.refresh && inRange ? s.rows.near[next] : 0u;
       old = Law::keeps(s) && inRange ? s.rows.touch[next] : 0u;
     }
-    waitForEarlier();  // the loads of walls that are launches of their own
+    this->waitForWalls(i);
     float moved2 = 0.0f;
     if (inRange) {
       Motion<Real> m = s.motionIn[i];
@@ -69,7 +69,7 @@ struct WarpContacts : RowContacts<P, Law, mode> {
       Real virial[6] = {};
       if (mode == StepMode::Event)
         for (int d = 0; d < 6; ++d) virial[d] = sum(6 + d);
-      completeGrain<mode, walls>(s, i, p, m, Vec3<Real>{sum(0), sum(1), sum(2)}, Vec3<Real>{sum(3), sum(4), sum(5)},
+      completeGrain<mode, walls, typename Law::WallProduct>(s, i, p, m, Vec3<Real>{sum(0), sum(1), sum(2)}, Vec3<Real>{sum(3), sum(4), sum(5)},
                                  virial);
       if (mode == StepMode::Fused) moved2 = strayed2(s, coarsePart(p), c);
     }

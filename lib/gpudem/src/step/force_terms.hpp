@@ -14,19 +14,19 @@ struct WallLoad {
 };
 
 /// Force and torque of a wall on grain \p i, which was within its reach when the rows were built.
-template <WallUse walls, class P>
+template <WallUse walls, class Product, class P>
 GPUDEM_RARE WallLoad<typename P::Real> wallLoad(const StepView<P> &s, int wall, std::uint32_t i, const FixedPosition &p,
                                                 const Motion<typename P::Real> &m)
 {
   using Real = typename P::Real;
   const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame);
-  const ContactForce<Real> c = wallForce<walls>(s.wall[wall], i, s.count, x, p.radius, m, s.dt, s.advanceSprings);
+  const ContactForce<Real> c = wallForce<walls, Product>(s.wall[wall], i, s.count, x, p.radius, m, s.dt, s.advanceSprings);
   return {c.force, c.moment - c.couple * (static_cast<Real>(p.radius) - c.shorter)};
 }
 
-/// \param walls  what of the wall code the kernel holds
+/// \tparam walls, Product what of the wall code the kernel holds
 /// \param anchor its bits say whether the grain was within reach of a wall when the rows were built
-template <WallUse walls, class P>
+template <WallUse walls, class Product = AnyProduct, class P>
 GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const FixedPosition &p, std::uint32_t anchor,
                                Motion<typename P::Real> &m, Vec3<typename P::Real> &force,
                                Vec3<typename P::Real> &torque)
@@ -64,7 +64,7 @@ GPUDEM_HD void applyForceTerms(const StepView<P> &s, std::uint32_t i, const Fixe
         if (walls != WallUse::None && (anchor & nearWallBit)) {
           const FixedPosition at = p;  // copies, or the originals would have to live in memory
           const Motion<Real> motion = m;
-          const WallLoad<Real> load = wallLoad<walls>(s, term.wall, i, at, motion);
+          const WallLoad<Real> load = wallLoad<walls, Product>(s, term.wall, i, at, motion);
           force += load.force;
           torque += load.torque;
         }

@@ -17,6 +17,12 @@ struct RowContacts {
   StepView<P> s;
 
  protected:
+  /// Walls that are launches of their own may still be at work; only grains near one need to know.
+  GPUDEM_HD void waitForWalls(std::uint32_t i) const
+  {
+    if (s.wallsApart && warpAny(i < s.count && (s.anchor[i] & nearRegionBit))) waitForEarlier();
+  }
+
   /// Does the inner list stay right, and how long are the steps?
   GPUDEM_HD void watchStep(float moved2) const
   {

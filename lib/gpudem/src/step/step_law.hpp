@@ -18,6 +18,7 @@ struct ClassicLaw {
   static constexpr bool takesSpinDifference = false;
   static constexpr bool torques = tangential != TangentialModel::None;  ///< contacts turn the grains
   static constexpr bool moments = false;  ///< torques without an arm, and arms shorter than the radius
+  using WallProduct = AnyProduct;          ///< of walls in WallUse::Same
 
   template <class Real>
   using Coefficients = LawCoefficients<Real>;
@@ -91,6 +92,7 @@ struct ModelLaw {
   static constexpr bool takesSpinDifference = Members::takesSpinDifference;
   static constexpr bool torques = true;
   static constexpr bool moments = true;
+  using WallProduct = Members;
 
   template <class Real>
   using Coefficients = ModelCoefficients<Real>;

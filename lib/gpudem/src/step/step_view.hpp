@@ -63,7 +63,8 @@ constexpr std::uint32_t nearRegionBit = 1u << 31;
 enum class WallUse {
   None,
   Classic,  ///< laws of the gran/ styles
-  Any,      ///< these and products
+  Same,     ///< the product of sub-models that the pairs have
+  Any,      ///< all of these
 };
 
 /// State of a wall at the step being evaluated.
@@ -142,6 +143,7 @@ struct StepView {
   std::uint32_t driftX, driftY, driftZ;  ///< of all grains since the last rebuild, after this step (coarse units)
   Vec3<float> stepDrift;                 ///< of all grains in a step (distance)
 
+  bool wallsApart;        ///< some walls are launches of their own, which this one may overtake
   bool refresh;           ///< GPU: measure the distances of all entries and mark those within the inner reach
   float innerSkin;        ///< inner reach less contact (distance), see InnerList
   float innerStepLimit2;  ///< squared displacement of a step that the inner list allows for (distance^2)

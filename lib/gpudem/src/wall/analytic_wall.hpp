@@ -101,7 +101,8 @@ GPUDEM_HD void recordContact(const WallView<Real> &wall, std::uint32_t i, std::u
 }
 
 /// Force of one wall on grain \p i; springs and recorded contacts are updated in place.
-template <WallUse use, class Real>
+/// \tparam Product law of walls that have one, AnyProduct but for WallUse::Same
+template <WallUse use, class Product = AnyProduct, class Real>
 GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t i, std::uint32_t count,
                                        const Vec3<double> &x, double radius, const Motion<Real> &m, Real dt,
                                        bool advance)
@@ -109,9 +110,10 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   WallGap gap;
   Real *kept = wall.history ? wall.history + static_cast<std::size_t>(wall.historySize) * i : nullptr;
   double reach = radius;
-  if (use == WallUse::Any && wall.flag && (kept[0] != Real(0) || wall.model->beforeTouch)) {
+  constexpr bool products = use == WallUse::Any || use == WallUse::Same;
+  if (products && Product::beyondTouch && wall.flag && (kept[0] != Real(0) || wall.model->beforeTouch)) {
     const double effective = wallEffectiveRadius(radius, wallCurvature(wall, x));
-    reach += static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(effective)));
+    reach += static_cast<double>(Product::gap(*wall.model, static_cast<Real>(effective)));
   }
   const bool touches = wallGap(wall, x, reach, gap);
   ContactForce<Real> result{};
@@ -133,8 +135,8 @@ GPUDEM_HD ContactForce<Real> wallForce(const WallView<Real> &wall, std::uint32_t
   c.radiusDifference = -static_cast<Real>(radius);
   c.inertia = m.mass * static_cast<Real>(radius * radius);
   c.atWall = true;
-  result = use == WallUse::Any && wall.model ? modelWallForce(wall, c, kept, dt, advance)
-                                             : classicWallForce(wall, c, kept, dt, advance);
+  result = use == WallUse::Same || (products && wall.model) ? modelWallForce<Product>(wall, c, kept, dt, advance)
+                                                            : classicWallForce(wall, c, kept, dt, advance);
   if (wall.contacts) recordContact(wall, i, count, result.force, x - gap.branch, radius);
   return result;
 }

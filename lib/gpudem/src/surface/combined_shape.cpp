@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Copyright (c) 2026 The GPUDEM developers
+/// \file Combined shapes by dual contouring (Ju, Losasso, Schaefer and Warren, ACM Trans. Graph. 21 (2002) 339), with a
+/// vertex for each sheet of a cell (Nielson, IEEE Visualization 2004, 489), so that the mesh is two-manifold.
+///
+/// There the vertex of a cell minimises the distances from the planes at its crossings. Here the surfaces themselves
+/// are known: the vertex is where those that cross the cell meet, so flat faces are exact and edges and corners sharp,
+/// on the curves where the exact bodies cut each other. Of the libraries that combine bodies, Open CASCADE failed in
+/// one of ten pairs with round numbers (axes that meet, faces in one plane), and CGAL's licence, GPL 3, does not go
+/// with GPL-2.0-only.
+#include "surface/combined_shape.hpp"
+
+#include "surface/sign_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace gpudem {
+
+namespace {
+
+constexpr double mostNodes = 1e9, mostTriangles = 2e7;
+constexpr const char *tooFine = "spacing is too small: it would take more than {:g} {}";
+
+/// Where an edge of the grid meets the surface, and which.
+struct Crossing {
+  Vec3<double> at;
+  int surface;
+};
+
+class DualContour {
+ public:
+  DualContour(const SolidTree &solid, double spacing, const Vec3<double> &shift)
+      : solid_(solid), h_(spacing), grid_(solid, spacing, shift)
+  {
+  }
+  bool empty() const { return grid_.cells().empty(); }
+  /// \return false if there are more triangles than allowed
+  bool contour(SurfaceMesh &mesh);
+
+ private:
+  struct CellVertices {
+    CellSheets sheets;
+    std::uint32_t first;  ///< vertex of sheet 0
+  };
+  CellPlace corner(const CellPlace &cell, int k) const
+  {
+    return {cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2)};
+  }
+  Crossing crossing(const CellPlace &cell, const CellEdge &edge) const;
+  Vec3<double> vertex(const CellPlace &cell, const std::vector<Crossing> &of) const;
+  Vec3<double> meeting(const std::vector<int> &surfaces, Vec3<double> x) const;
+  bool onBody(const Vec3<double> &x) const { return std::abs(solid_.at(x).distance) < 1e-6 * h_; }
+  bool within(const CellPlace &cell, const Vec3<double> &x) const { return grid_.cellAt(x) == cell; }
+  bool alongEdge(const CellPlace &cell, const std::vector<int> &pair, Vec3<double> &x) const;
+  void addFacets(const CellPlace &cell, int edge, SurfaceMesh &mesh) const;
+
+  const SolidTree &solid_;
+  double h_;
+  SignGrid grid_;
+  std::unordered_map<std::uint64_t, CellVertices> made_;
+};
+
+/// By regula falsi with the weights of Dowell and Jarratt (BIT 11 (1971) 168), which halve that of an end that stays.
+Crossing DualContour::crossing(const CellPlace &cell, const CellEdge &edge) const
+{
+  Vec3<double> a = grid_.place(corner(cell, edge.low)), b = grid_.place(corner(cell, edge.high));
+  double fa = solid_.at(a).distance, fb = solid_.at(b).distance;
+  Vec3<double> x = a;
+  SolidTree::Value v = solid_.at(a);
+  for (int k = 0; k < 60 && std::abs(fb - fa) > 0.0; ++k) {
+    x = a + (b - a) * (fa / (fa - fb));
+    v = solid_.at(x);
+    if (std::abs(v.distance) < 1e-14 * h_ || dot(b - a, b - a) < 1e-26 * h_ * h_) break;
+    if ((v.distance > 0.0) == (fb > 0.0)) {
+      b = x;
+      fb = v.distance;
+      fa *= 0.5;
+    } else {
+      a = x;
+      fa = v.distance;
+      fb *= 0.5;
+    }
+  }
+  return {x, v.surface};
+}
+
+/// The point near \p x that all the surfaces share, by damped least squares (Levenberg, Quart. Appl. Math. 2 (1944)
+/// 164): it does not move along a surface or an edge, and hardly across where two are nearly parallel.
+Vec3<double> DualContour::meeting(const std::vector<int> &surfaces, Vec3<double> x) const
+{
+  constexpr double damping = 1e-2;
+  for (int step = 0; step < 40; ++step) {
+    Vec3<double> m[3] = {{damping, 0, 0}, {0, damping, 0}, {0, 0, damping}}, r{0, 0, 0};
+    for (const int s : surfaces) {
+      const SmoothSurface::Value v = solid_.surface(s).at(x);
+      for (int d = 0; d < 3; ++d) m[d] += v.gradient * v.gradient[d];
+      r += v.gradient * v.distance;
+    }
+    const Vec3<double> c = cross(m[1], m[2]);
+    const double all = dot(m[0], c);
+    const Vec3<double> move{dot(r, c) / all, dot(m[0], cross(r, m[2])) / all, dot(m[0], cross(m[1], r)) / all};
+    x -= move;
+    if (dot(move, move) < 1e-30 * h_ * h_) break;
+  }
+  return x;
+}
+
+/// Moves \p x along the edge of two surfaces into the middle of what the cell has of it.
+bool DualContour::alongEdge(const CellPlace &cell, const std::vector<int> &pair, Vec3<double> &x) const
+{
+  for (int step = 0; step < 3; ++step) {
+    const Vec3<double> t = cross(solid_.surface(pair[0]).at(x).gradient, solid_.surface(pair[1]).at(x).gradient);
+    const Vec3<double> from = (x - grid_.place(cell)) * (1.0 / h_);
+    double lo = -INFINITY, hi = INFINITY;
+    for (int d = 0; d < 3; ++d) {
+      if (t[d] == 0.0) continue;
+      const double one = -from[d] / t[d], two = (1.0 - from[d]) / t[d];
+      lo = std::max(lo, std::min(one, two));
+      hi = std::min(hi, std::max(one, two));
+    }
+    if (!(lo < hi) || !std::isfinite(hi - lo)) return false;
+    x = meeting(pair, x + t * (0.5 * (lo + hi) * h_));
+    if (within(cell, x)) return true;
+  }
+  return false;
+}
+
+Vec3<double> DualContour::vertex(const CellPlace &cell, const std::vector<Crossing> &of) const
+{
+  const auto middle = [&](int surface) {
+    Vec3<double> sum{0, 0, 0};
+    int n = 0;
+    for (const Crossing &c : of)
+      if (surface < 0 || c.surface == surface) {
+        sum += c.at;
+        ++n;
+      }
+    return sum * (1.0 / n);
+  };
+  std::vector<int> all;
+  for (const Crossing &c : of) all.push_back(c.surface);
+  std::sort(all.begin(), all.end());
+  std::vector<int> most{all.front()};
+  for (const int s : all)
+    if (std::count(all.begin(), all.end(), s) > std::count(all.begin(), all.end(), most[0])) most[0] = s;
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (const Vec3<double> &tip : solid_.tips())
+    if (within(cell, tip) && onBody(tip)) return tip;
+  const Vec3<double> centre = middle(-1);
+  Vec3<double> x = meeting(all, centre);
+  if (all.size() == 1) return x;
+  if (within(cell, x) && onBody(x)) return x;
+  // a corner or edge of another cell: of that, if it has no vertex of its own
+  const Vec3<double> off = x - centre;
+  if (dot(off, off) < 4.0 * h_ * h_ && onBody(x) && !grid_.crossed(grid_.cellAt(x))) return x;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::vector<int> pair{all[j], all[i]};
+      x = meeting(pair, centre);
+      if ((within(cell, x) || alongEdge(cell, pair, x)) && onBody(x)) return x;
+    }
+  return meeting(most, middle(most[0]));
+}
+
+/// The facets across an edge of the grid: a quad of the four cells around it, cut along the diagonal that is on the
+/// body.
+void DualContour::addFacets(const CellPlace &cell, int number, SurfaceMesh &mesh) const
+{
+  const CellEdge edge = cellEdge(number);
+  const int b = (edge.axis + 1) % 3, c = (edge.axis + 2) % 3;
+  std::array<std::uint32_t, 4> v;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const int u = k == 1 || k == 2, w = k >= 2;  // counter-clockwise seen from the upper end of the edge
+    CellPlace around = cell;
+    around[static_cast<std::size_t>(b)] += u - 1;
+    around[static_cast<std::size_t>(c)] += w - 1;
+    const CellVertices &m = made_.at(grid_.index(around));
+    const int sameEdge = 4 * edge.axis + (1 - u) + 2 * (1 - w);
+    v[k] = m.first + static_cast<std::uint32_t>(m.sheets.sheet[static_cast<std::size_t>(sameEdge)]);
+  }
+  if (!grid_.inside(corner(cell, edge.low))) std::swap(v[1], v[3]);
+  const auto at = [&](std::size_t k) {
+    const auto &p = mesh.vertex[v[k % 4]];
+    return Vec3<double>{p[0], p[1], p[2]};
+  };
+  const auto normal = [&](std::size_t k) { return cross(at(k + 1) - at(k), at(k + 2) - at(k)); };
+  // how far each diagonal is from the body; with equal ones, the diagonal whose triangles are the less thin
+  double off[2], area[2];
+  for (std::size_t k = 0; k < 2; ++k) {
+    off[k] = std::abs(solid_.at((at(k) + at(k + 2)) * 0.5).distance);
+    const Vec3<double> n = normal(k), o = normal(k + 2);
+    area[k] = dot(n, o) > 0.0 || off[k] < 1e-9 * h_ ? std::min(dot(n, n), dot(o, o)) : 0.0;
+  }
+  const std::size_t first = std::abs(off[0] - off[1]) > 1e-3 * h_ ? off[1] < off[0] : area[1] > area[0];
+  mesh.triangle.push_back({v[first], v[first + 1], v[first + 2]});
+  mesh.triangle.push_back({v[first + 2], v[(first + 3) % 4], v[first]});
+}
+
+bool DualContour::contour(SurfaceMesh &mesh)
+{
+  for (const CellPlace &cell : grid_.cells()) {
+    CellVertices made{grid_.sheets(cell), static_cast<std::uint32_t>(mesh.vertex.size())};
+    for (int s = 0; s < made.sheets.count; ++s) {
+      std::vector<Crossing> of;
+      for (int e = 0; e < 12; ++e)
+        if (made.sheets.sheet[static_cast<std::size_t>(e)] == s) of.push_back(crossing(cell, cellEdge(e)));
+      const Vec3<double> x = vertex(cell, of);
+      mesh.vertex.push_back({x.x, x.y, x.z});
+    }
+    made_.emplace(grid_.index(cell), made);
+    if (static_cast<double>(mesh.vertex.size()) > mostTriangles / 2.0) return false;
+  }
+  // every crossed edge is the first of its axis in one cell
+  for (const CellPlace &cell : grid_.cells())
+    for (int axis = 0; axis < 3; ++axis)
+      if (grid_.sheets(cell).sheet[static_cast<std::size_t>(4 * axis)] >= 0) addFacets(cell, 4 * axis, mesh);
+  mesh.zone.assign(mesh.triangle.size(), 0);
+  return true;
+}
+
+}  // namespace
+
+SurfaceMesh combinedSurface(const ParsedShape &p, double spacing)
+{
+  if (!(spacing > 0.0)) p.refuse("it needs the length of the cells that find its triangles, keyword spacing");
+  const SolidTree solid(p);
+  for (int d = 0; d < 3; ++d)
+    if (!(solid.lo()[d] < solid.hi()[d])) p.refuse("nothing is left of it: the bodies have nothing in common");
+  if (SignGrid::nodes(solid, spacing) > mostNodes) p.refuse(fmt::format(tooFine, mostNodes, "nodes of the grid"));
+  SurfaceMesh mesh;
+  // nodes should not lie on faces at round numbers: shifts without a ratio to the spacing, further ones if facets
+  // collapse
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    const double a = 0.3819660113 * (attempt + 1), b = 0.7548776662 * (attempt + 1), c = 0.5698402910 * (attempt + 1);
+    DualContour body(solid, spacing, {a - std::floor(a), b - std::floor(b), c - std::floor(c)});
+    if (body.empty()) continue;
+    mesh = SurfaceMesh{};
+    mesh.zoneName.push_back(p.name);
+    if (!body.contour(mesh)) p.refuse(fmt::format(tooFine, mostTriangles, "triangles"));
+    SurfaceMesh cleaned = mesh;
+    if (cleanSurface(cleaned).closed()) break;
+  }
+  if (mesh.triangle.empty())
+    p.refuse(fmt::format("nothing is left of it, or nothing as thick as the spacing, {:g}", spacing));
+  return mesh;
+}
+
+}  // namespace gpudem

@@ -23,12 +23,20 @@ namespace gpudem {
 namespace {
 
 constexpr double mostNodes = 1e9, mostTriangles = 2e7;
+constexpr double rounding = 1e-6;  // what is this part of the spacing away is there
 constexpr const char *tooFine = "spacing is too small: it would take more than {:g} {}";
 
 /// Where an edge of the grid meets the surface, and which.
 struct Crossing {
   Vec3<double> at;
   int surface;
+};
+
+/// Crossings of a cell that belong to one vertex.
+struct Sheet {
+  std::vector<int> surfaces;  ///< each once
+  int most;                   ///< that of most crossings
+  Vec3<double> middle;        ///< of the crossings (distance)
 };
 
 class DualContour {
@@ -51,9 +59,12 @@ class DualContour {
     return {cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2)};
   }
   Crossing crossing(const CellPlace &cell, const CellEdge &edge) const;
-  Vec3<double> vertex(const CellPlace &cell, const std::vector<Crossing> &of) const;
+  bool meetsWithin(const CellPlace &cell, const std::vector<int> &surfaces, Vec3<double> &x) const;
+  Sheet sheetOf(const CellPlace &cell, const CellSheets &sheets, int sheet) const;
+  std::vector<int> around(const CellPlace &cell, const std::vector<int> &own) const;
+  Vec3<double> vertex(const CellPlace &cell, const Sheet &sheet, const std::vector<int> &further) const;
   Vec3<double> meeting(const std::vector<int> &surfaces, Vec3<double> x) const;
-  bool onBody(const Vec3<double> &x) const { return std::abs(solid_.at(x).distance) < 1e-6 * h_; }
+  bool onBody(const Vec3<double> &x) const { return std::abs(solid_.at(x).distance) < rounding * h_; }
   bool within(const CellPlace &cell, const Vec3<double> &x) const { return grid_.cellAt(x) == cell; }
   bool alongEdge(const CellPlace &cell, const std::vector<int> &pair, Vec3<double> &x) const;
   void addFacets(const CellPlace &cell, int edge, SurfaceMesh &mesh) const;
@@ -62,6 +73,7 @@ class DualContour {
   double h_;
   SignGrid grid_;
   std::unordered_map<std::uint64_t, CellVertices> made_;
+  std::unordered_map<std::uint64_t, std::vector<int>> surfaces_;  ///< that cross a cell
 };
 
 /// By regula falsi with the weights of Dowell and Jarratt (BIT 11 (1971) 168), which halve that of an end that stays.
@@ -129,41 +141,45 @@ bool DualContour::alongEdge(const CellPlace &cell, const std::vector<int> &pair,
   return false;
 }
 
-Vec3<double> DualContour::vertex(const CellPlace &cell, const std::vector<Crossing> &of) const
+/// Where all these surfaces meet on the body, in this cell.
+bool DualContour::meetsWithin(const CellPlace &cell, const std::vector<int> &surfaces, Vec3<double> &x) const
 {
-  const auto middle = [&](int surface) {
-    Vec3<double> sum{0, 0, 0};
-    int n = 0;
-    for (const Crossing &c : of)
-      if (surface < 0 || c.surface == surface) {
-        sum += c.at;
-        ++n;
-      }
-    return sum * (1.0 / n);
-  };
-  std::vector<int> all;
-  for (const Crossing &c : of) all.push_back(c.surface);
-  std::sort(all.begin(), all.end());
-  std::vector<int> most{all.front()};
-  for (const int s : all)
-    if (std::count(all.begin(), all.end(), s) > std::count(all.begin(), all.end(), most[0])) most[0] = s;
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  x = meeting(surfaces, x);
+  if (!within(cell, x) && !(surfaces.size() == 2 && alongEdge(cell, surfaces, x))) return false;
+  for (const int s : surfaces)
+    if (std::abs(solid_.surface(s).at(x).distance) > rounding * h_) return false;
+  return onBody(x);
+}
+
+/// \p further surfaces cross cells around this one: their edge with one of its own may run through it between
+/// crossings.
+Vec3<double> DualContour::vertex(const CellPlace &cell, const Sheet &sheet, const std::vector<int> &further) const
+{
   for (const Vec3<double> &tip : solid_.tips())
     if (within(cell, tip) && onBody(tip)) return tip;
-  const Vec3<double> centre = middle(-1);
-  Vec3<double> x = meeting(all, centre);
-  if (all.size() == 1) return x;
-  if (within(cell, x) && onBody(x)) return x;
-  // a corner or edge of another cell: of that, if it has no vertex of its own
-  const Vec3<double> off = x - centre;
-  if (dot(off, off) < 4.0 * h_ * h_ && onBody(x) && !grid_.crossed(grid_.cellAt(x))) return x;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const std::vector<int> pair{all[j], all[i]};
-      x = meeting(pair, centre);
-      if ((within(cell, x) || alongEdge(cell, pair, x)) && onBody(x)) return x;
-    }
-  return meeting(most, middle(most[0]));
+  const std::vector<int> &own = sheet.surfaces;
+  Vec3<double> x;
+  const auto found = [&](std::vector<int> more) {
+    more.insert(more.end(), own.begin(), own.end());
+    return meetsWithin(cell, more, x = sheet.middle);
+  };
+  if (own.size() < 3) {
+    for (std::size_t i = 0; own.size() == 1 && i < further.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (found({further[i], further[j]})) return x;
+    for (const int s : further)
+      if (found({s})) return x;
+  }
+  if (own.size() == 1) return meeting(own, sheet.middle);
+  if (found({})) return x;
+  for (std::size_t i = 0; own.size() > 2 && i < own.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (meetsWithin(cell, {own[j], own[i]}, x = sheet.middle)) return x;
+  // an edge that reaches out of the cell between its crossings
+  x = meeting(own, sheet.middle);
+  const Vec3<double> off = x - sheet.middle;
+  if (dot(off, off) < h_ * h_ && onBody(x)) return x;
+  return meeting({sheet.most}, sheet.middle);
 }
 
 /// The facets across an edge of the grid: a quad of the four cells around it, cut along the diagonal that is on the
@@ -187,32 +203,82 @@ void DualContour::addFacets(const CellPlace &cell, int number, SurfaceMesh &mesh
     const auto &p = mesh.vertex[v[k % 4]];
     return Vec3<double>{p[0], p[1], p[2]};
   };
-  const auto normal = [&](std::size_t k) { return cross(at(k + 1) - at(k), at(k + 2) - at(k)); };
-  // how far each diagonal is from the body; with equal ones, the diagonal whose triangles are the less thin
-  double off[2], area[2];
+  // how well each diagonal does: no triangle folded over, then the nearer to the body, then the less thin triangles
+  double upright[2], off[2], area[2];
   for (std::size_t k = 0; k < 2; ++k) {
+    upright[k] = area[k] = INFINITY;
     off[k] = std::abs(solid_.at((at(k) + at(k + 2)) * 0.5).distance);
-    const Vec3<double> n = normal(k), o = normal(k + 2);
-    area[k] = dot(n, o) > 0.0 || off[k] < 1e-9 * h_ ? std::min(dot(n, n), dot(o, o)) : 0.0;
+    for (const std::size_t m : {k, k + 2}) {
+      const Vec3<double> n = cross(at(m + 1) - at(m), at(m + 2) - at(m)),
+                         x = (at(m) + at(m + 1) + at(m + 2)) * (1.0 / 3.0);
+      const SolidTree::Value near = solid_.at(x);
+      const double size = std::sqrt(dot(n, n)), out = near.sign * dot(solid_.surface(near.surface).at(x).gradient, n);
+      area[k] = std::min(area[k], size);
+      upright[k] = std::min(upright[k], size > 0.0 ? out / size : -1.0);
+    }
   }
-  const std::size_t first = std::abs(off[0] - off[1]) > 1e-3 * h_ ? off[1] < off[0] : area[1] > area[0];
+  constexpr double lean = 0.2;
+  std::size_t first = area[1] > area[0];
+  if (std::min(upright[0], upright[1]) < lean) first = upright[1] > upright[0];
+  else if (std::abs(off[0] - off[1]) > 1e-3 * h_) first = off[1] < off[0];
   mesh.triangle.push_back({v[first], v[first + 1], v[first + 2]});
   mesh.triangle.push_back({v[first + 2], v[(first + 3) % 4], v[first]});
 }
 
+Sheet DualContour::sheetOf(const CellPlace &cell, const CellSheets &sheets, int sheet) const
+{
+  Sheet s{{}, -1, {0.0, 0.0, 0.0}};
+  std::vector<int> all;
+  for (int e = 0; e < 12; ++e) {
+    if (sheets.sheet[static_cast<std::size_t>(e)] != sheet) continue;
+    const Crossing c = crossing(cell, cellEdge(e));
+    all.push_back(c.surface);
+    s.middle += c.at;
+  }
+  s.middle = s.middle * (1.0 / static_cast<double>(all.size()));
+  std::sort(all.begin(), all.end());
+  s.surfaces = all;
+  s.surfaces.erase(std::unique(s.surfaces.begin(), s.surfaces.end()), s.surfaces.end());
+  for (const int k : s.surfaces)
+    if (s.most < 0 || std::count(all.begin(), all.end(), k) > std::count(all.begin(), all.end(), s.most)) s.most = k;
+  return s;
+}
+
+/// Surfaces that cross the 26 cells around, but for \p own.
+std::vector<int> DualContour::around(const CellPlace &cell, const std::vector<int> &own) const
+{
+  std::vector<int> found;
+  for (int k = 0; k < 27; ++k) {
+    const auto at = surfaces_.find(grid_.index({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1}));
+    if (at == surfaces_.end()) continue;
+    for (const int s : at->second)
+      if (std::find(own.begin(), own.end(), s) == own.end() && std::find(found.begin(), found.end(), s) == found.end())
+        found.push_back(s);
+  }
+  return found;
+}
+
 bool DualContour::contour(SurfaceMesh &mesh)
 {
+  std::vector<Sheet> sheet;
   for (const CellPlace &cell : grid_.cells()) {
-    CellVertices made{grid_.sheets(cell), static_cast<std::uint32_t>(mesh.vertex.size())};
+    const CellVertices made{grid_.sheets(cell), static_cast<std::uint32_t>(sheet.size())};
+    std::vector<int> &surfaces = surfaces_[grid_.index(cell)];
     for (int s = 0; s < made.sheets.count; ++s) {
-      std::vector<Crossing> of;
-      for (int e = 0; e < 12; ++e)
-        if (made.sheets.sheet[static_cast<std::size_t>(e)] == s) of.push_back(crossing(cell, cellEdge(e)));
-      const Vec3<double> x = vertex(cell, of);
-      mesh.vertex.push_back({x.x, x.y, x.z});
+      sheet.push_back(sheetOf(cell, made.sheets, s));
+      surfaces.insert(surfaces.end(), sheet.back().surfaces.begin(), sheet.back().surfaces.end());
     }
     made_.emplace(grid_.index(cell), made);
-    if (static_cast<double>(mesh.vertex.size()) > mostTriangles / 2.0) return false;
+    if (static_cast<double>(sheet.size()) > mostTriangles / 2.0) return false;
+  }
+  for (const CellPlace &cell : grid_.cells()) {
+    const CellVertices &made = made_.at(grid_.index(cell));
+    for (std::uint32_t s = 0; s < static_cast<std::uint32_t>(made.sheets.count); ++s) {
+      const Sheet &of = sheet[made.first + s];
+      // of two sheets in a cell, who has an edge between crossings is not known
+      const Vec3<double> x = vertex(cell, of, made.sheets.count == 1 ? around(cell, of.surfaces) : std::vector<int>{});
+      mesh.vertex.push_back({x.x, x.y, x.z});
+    }
   }
   // every crossed edge is the first of its axis in one cell
   for (const CellPlace &cell : grid_.cells())

@@ -65,6 +65,19 @@ double deepest(const SurfaceMesh &m, const char *shape)
   return most;
 }
 
+/// Triangles whose inner side is outside the body, a quarter of the spacing away, and whose outer side is inside.
+int turnedOver(const SurfaceMesh &m, const std::string &shape, double spacing)
+{
+  const SolidTree body(parseShape(shape));
+  int found = 0;
+  for (const auto &t : m.triangle) {
+    const Vec3<double> a = at(m.vertex[t[0]]), b = at(m.vertex[t[1]]), c = at(m.vertex[t[2]]), n = cross(b - a, c - a);
+    const Vec3<double> middle = (a + b + c) * (1.0 / 3.0), out = n * (0.25 * spacing / length(n));
+    found += body.at(middle - out).distance > 0.1 * spacing && body.at(middle + out).distance < -0.1 * spacing;
+  }
+  return found;
+}
+
 void expectManifold(const MeshReport &report)
 {
   EXPECT_TRUE(report.closed()) << report.text();
@@ -183,6 +196,7 @@ TEST(CombinedShape, RoundNumbersAreNoTrouble)
     }
     const MeshReport report = cleanSurface(m);
     EXPECT_TRUE(report.closed()) << shape << "\n" << report.text();
+    EXPECT_EQ(turnedOver(m, shape, spacing), 0) << shape;
     return report.volume;
   };
   for (const auto &p : pairs) {

@@ -3,11 +3,11 @@
 /// \file Combined shapes by dual contouring (Ju, Losasso, Schaefer and Warren, ACM Trans. Graph. 21 (2002) 339), with a
 /// vertex for each sheet of a cell (Nielson, IEEE Visualization 2004, 489), so that the mesh is two-manifold.
 ///
-/// There the vertex of a cell minimises the distances from the planes at its crossings. Here the surfaces themselves
-/// are known: the vertex is where those that cross the cell meet, so flat faces are exact and edges and corners sharp,
-/// on the curves where the exact bodies cut each other. Of the libraries that combine bodies, Open CASCADE failed in
-/// one of ten pairs with round numbers (axes that meet, faces in one plane), and CGAL's licence, GPL 3, does not go
-/// with GPL-2.0-only.
+/// There the vertex of a cell minimises the distances from the planes at its crossings. Here the surfaces themselves are
+/// known: the vertex is where those that cross the cell meet, so flat faces are exact and edges and corners sharp, on the
+/// curves where the exact bodies cut each other. Of libraries that combine bodies exactly, Open CASCADE 7.6 left meshes
+/// open or lost parts where axes meet or surfaces touch, as round numbers have it, and CGAL's part for it is under the
+/// GPL 3, which does not go with GPL-2.0-only.
 #include "surface/combined_shape.hpp"
 
 #include "surface/sign_grid.hpp"
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace gpudem {
@@ -41,8 +42,9 @@ struct Sheet {
 
 class DualContour {
  public:
-  DualContour(const SolidTree &solid, double spacing, const Vec3<double> &shift)
-      : solid_(solid), h_(spacing), grid_(solid, spacing, shift)
+  /// \param reach how far from the crossings of a cell its vertex may be if that is outside the cell (cells)
+  DualContour(const SolidTree &solid, double spacing, const Vec3<double> &shift, double reach)
+      : solid_(solid), h_(spacing), reach_(reach), grid_(solid, spacing, shift)
   {
   }
   bool empty() const { return grid_.cells().empty(); }
@@ -70,7 +72,7 @@ class DualContour {
   void addFacets(const CellPlace &cell, int edge, SurfaceMesh &mesh) const;
 
   const SolidTree &solid_;
-  double h_;
+  double h_, reach_;
   SignGrid grid_;
   std::unordered_map<std::uint64_t, CellVertices> made_;
   std::unordered_map<std::uint64_t, std::vector<int>> surfaces_;  ///< that cross a cell
@@ -178,7 +180,7 @@ Vec3<double> DualContour::vertex(const CellPlace &cell, const Sheet &sheet, cons
   // an edge that reaches out of the cell between its crossings
   x = meeting(own, sheet.middle);
   const Vec3<double> off = x - sheet.middle;
-  if (dot(off, off) < h_ * h_ && onBody(x)) return x;
+  if (dot(off, off) < reach_ * reach_ * h_ * h_ && onBody(x)) return x;
   return meeting({sheet.most}, sheet.middle);
 }
 
@@ -288,6 +290,24 @@ bool DualContour::contour(SurfaceMesh &mesh)
   return true;
 }
 
+/// Triangles that face into the body: where an edge crosses cells at their corners, facets may fold over.
+std::size_t countFolded(const SolidTree &solid, const SurfaceMesh &mesh, double spacing)
+{
+  std::size_t folded = 0;
+  for (const auto &t : mesh.triangle) {
+    const auto at = [&](std::size_t c) {
+      const auto &p = mesh.vertex[t[c]];
+      return Vec3<double>{p[0], p[1], p[2]};
+    };
+    const Vec3<double> n = cross(at(1) - at(0), at(2) - at(0)), middle = (at(0) + at(1) + at(2)) * (1.0 / 3.0);
+    const double size = std::sqrt(dot(n, n));
+    if (!(size > 0.0)) continue;
+    const Vec3<double> out = n * (0.25 * spacing / size);
+    folded += solid.at(middle - out).distance > 0.1 * spacing && solid.at(middle + out).distance < -0.1 * spacing;
+  }
+  return folded;
+}
+
 }  // namespace
 
 SurfaceMesh combinedSurface(const ParsedShape &p, double spacing)
@@ -297,22 +317,28 @@ SurfaceMesh combinedSurface(const ParsedShape &p, double spacing)
   for (int d = 0; d < 3; ++d)
     if (!(solid.lo()[d] < solid.hi()[d])) p.refuse("nothing is left of it: the bodies have nothing in common");
   if (SignGrid::nodes(solid, spacing) > mostNodes) p.refuse(fmt::format(tooFine, mostNodes, "nodes of the grid"));
-  SurfaceMesh mesh;
-  // nodes should not lie on faces at round numbers: shifts without a ratio to the spacing, further ones if facets
-  // collapse
-  for (int attempt = 0; attempt < 8; ++attempt) {
-    const double a = 0.3819660113 * (attempt + 1), b = 0.7548776662 * (attempt + 1), c = 0.5698402910 * (attempt + 1);
-    DualContour body(solid, spacing, {a - std::floor(a), b - std::floor(b), c - std::floor(c)});
+  SurfaceMesh best;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  // nodes should not lie on faces at round numbers: shifts without a ratio to the spacing, others where facets fold
+  // over
+  for (int attempt = 1; attempt <= 12 && fewest > 0; ++attempt) {
+    const double a = 0.3819660113 * attempt, b = 0.7548776662 * attempt, c = 0.5698402910 * attempt;
+    DualContour body(solid, spacing, {a - std::floor(a), b - std::floor(b), c - std::floor(c)},
+                     attempt <= 8 ? 1.0 : 0.5 * (attempt % 2));
     if (body.empty()) continue;
-    mesh = SurfaceMesh{};
+    SurfaceMesh mesh;
     mesh.zoneName.push_back(p.name);
     if (!body.contour(mesh)) p.refuse(fmt::format(tooFine, mostTriangles, "triangles"));
     SurfaceMesh cleaned = mesh;
-    if (cleanSurface(cleaned).closed()) break;
+    const std::size_t bad =
+        countFolded(solid, mesh, spacing) + (cleanSurface(cleaned).closed() ? 0 : mesh.triangle.size());
+    if (bad >= fewest) continue;
+    fewest = bad;
+    best = std::move(mesh);
   }
-  if (mesh.triangle.empty())
+  if (best.triangle.empty())
     p.refuse(fmt::format("nothing is left of it, or nothing as thick as the spacing, {:g}", spacing));
-  return mesh;
+  return best;
 }
 
 }  // namespace gpudem

@@ -3,11 +3,11 @@
 /// \file Combined shapes by dual contouring (Ju, Losasso, Schaefer and Warren, ACM Trans. Graph. 21 (2002) 339), with a
 /// vertex for each sheet of a cell (Nielson, IEEE Visualization 2004, 489), so that the mesh is two-manifold.
 ///
-/// There the vertex of a cell minimises the distances from the planes at its crossings. Here the surfaces themselves are
-/// known: the vertex is where those that cross the cell meet, so flat faces are exact and edges and corners sharp, on the
-/// curves where the exact bodies cut each other. Of libraries that combine bodies exactly, Open CASCADE 7.6 left meshes
-/// open or lost parts where axes meet or surfaces touch, as round numbers have it, and CGAL's part for it is under the
-/// GPL 3, which does not go with GPL-2.0-only.
+/// There the vertex of a cell minimises the distances from the planes at its crossings. Here the surfaces themselves
+/// are known: the vertex is where those that cross the cell meet, so flat faces are exact and edges and corners sharp,
+/// on the curves where the exact bodies cut each other. Of libraries that combine bodies exactly, Open CASCADE 7.6 left
+/// meshes open or lost parts where axes meet or surfaces touch, as round numbers have it, and CGAL's part for it is
+/// under the GPL 3, which does not go with GPL-2.0-only.
 #include "surface/combined_shape.hpp"
 
 #include "surface/sign_grid.hpp"

@@ -37,6 +37,8 @@ class Words {
     return arg_[at_++];
   }
   bool next(const char *word) const { return !done() && strcmp(arg_[at_], word) == 0; }
+  /// The word that is to come, or one behind it; empty beyond the end.
+  std::string peek(int ahead = 0) const { return at_ + ahead < narg_ ? arg_[at_ + ahead] : ""; }
   double number(const std::string &what)
   {
     const std::string w = word(what);
@@ -127,8 +129,9 @@ void readLaw(LAMMPS *lmp, int narg, char **arg, Words &words, gpudem::WallSpec &
   } else if (style == "hooke" || style == "hooke/history" || style == "hertz/history") {
     readClassicLaw(lmp, style, words, wall.law);
   } else {
-    lmp->error->all(FLERR, "{}: '{}' is no style of contact law; there are hooke, hooke/history, hertz/history and "
-                           "granular",
+    lmp->error->all(FLERR,
+                    "{}: '{}' is no style of contact law; there are hooke, hooke/history, hertz/history and "
+                    "granular",
                     command, style);
   }
 }
@@ -179,8 +182,8 @@ FacesOutput readFaces(LAMMPS *lmp, Words &words)
   f.sampleEvery = words.steps("the number of steps between samples");
   f.writeEvery = words.steps("the number of steps between files");
   if (f.writeEvery % f.sampleEvery)
-    lmp->error->all(FLERR, "{}: faces are written every {} steps, which is no multiple of the {} between samples", command,
-                    f.writeEvery, f.sampleEvery);
+    lmp->error->all(FLERR, "{}: faces are written every {} steps, which is no multiple of the {} between samples",
+                    command, f.writeEvery, f.sampleEvery);
   f.file = words.word("the VTK file of the faces");
   return f;
 }
@@ -260,6 +263,8 @@ void readKeyword(LAMMPS *lmp, const std::string &keyword, Words &words, SurfaceA
     a.servo = readServo(lmp, words, a.servoEvery);
   } else if (keyword == "spacing") {
     lmp->error->all(FLERR, "{}: spacing stands right behind the shape", command);
+  } else if (gpudem::isOperation(keyword)) {
+    lmp->error->all(FLERR, "{}: {} stands between two shapes, ahead of spacing and the keywords", command, keyword);
   } else {
     lmp->error->all(FLERR,
                     "{}: '{}' is no keyword; there are scale, rotate, translate, side, move, reference, weld, "
@@ -278,13 +283,33 @@ double smallestRadius(LAMMPS *lmp)
   return std::isfinite(smallest) ? smallest : 0.0;
 }
 
+/// Shapes behind the first one, each with its operation on all before it: A union B difference C is
+/// difference(union(A,B),C).
+std::string readShape(LAMMPS *lmp, std::string shape, Words &words)
+{
+  while (gpudem::isOperation(words.peek())) {
+    const std::string operation = words.word(""), operand = words.word("the shape behind " + operation);
+    for (const std::string &s : {shape, operand})
+      if (!gpudem::isShape(s))
+        lmp->error->all(FLERR, "{}: {} combines shapes, but '{}' has not the form name(value,value,...)", command,
+                        operation, s);
+    shape = fmt::format("{}({},{})", operation, shape, operand);
+  }
+  if (gpudem::isShape(words.peek()) || gpudem::isShape(words.peek(1)))
+    lmp->error->all(FLERR, "{}: '{}' is no operation between shapes; there are union, intersection and difference",
+                    command, words.peek());
+  return shape;
+}
+
 /// The triangles of a shape or of a file.
 gpudem::SurfaceMesh readMesh(LAMMPS *lmp, const std::string &surface, Words &words)
 {
   constexpr double chordPerRadius = 1e-3;
   const bool given = words.next("spacing");
   if (!gpudem::isShape(surface)) {
-    if (given) lmp->error->all(FLERR, "{}: spacing is for shapes, the triangles of '{}' are those of the file", command, surface);
+    if (given)
+      lmp->error->all(FLERR, "{}: spacing is for shapes, the triangles of '{}' are those of the file", command,
+                      surface);
     return gpudem::readSurface(surface);
   }
   if (!given) return gpudem::shapeSurface(surface, 0.0, chordPerRadius * smallestRadius(lmp));
@@ -303,6 +328,7 @@ SurfaceArguments LAMMPS_NS::readSurfaceArguments(LAMMPS *lmp, int narg, char **a
   if (keyword != "surface")
     lmp->error->all(FLERR, "{}: '{}' stands where keyword surface is expected", command, keyword);
   a.file = words.word("the file or shape of the surface");
+  a.file = readShape(lmp, a.file, words);
   a.wall.shape = gpudem::WallShape::Surface;
   a.wall.mostContacts = 8;
   try {

@@ -395,6 +395,22 @@ class Files(SurfaceTest):
         self.assertLess(np.abs(x[:, 0]).max(), 3.0)
 
 
+    def test_combined_shapes(self):
+        """A trough, two boxes without a third, is stock's region without a lid; left to right is the same as in brackets."""
+        data = ("cloud.data", scenes.cloud(**BOXED))
+        kw = dict(boundary="f f f", steps=100)
+        stock = self.run_lammps(scenes.scene("region r block 0 7.1875 0 7.1875 0 13 side in units box\n" + NVE + DOWN +
+                                             f"fix w all wall/gran/region {HISTORY} region r\n", **kw), [data])
+        left, right, hole = "box(-1,8.1875,-1,3,-1,12)", "box(-1,8.1875,3,8.1875,-1,12)", "box(0,7.1875,0,7.1875,0,13)"
+        for n, words in enumerate((f"{left} union {right} difference {hole}", f"difference(union({left},{right}),{hole})")):
+            text = scenes.scene(NVE + DOWN + f"fix w all wall/gran/sdf {HISTORY} surface {words} spacing 0.45 side outside\n", **kw)
+            for mode in self.modes:
+                run = self.run_mode(mode, text, [data], name=str(n))
+                compare_dumps(self, stock.dump(), run.dump(), MIXED if mode == "mixed" else DOUBLE, scenes.DIAMETER,
+                              what=f"{words}, {mode}")
+                self.assertRegex(run.everything, r"1 bodies, 1 closed; area [\d.]+, volume of the closed 477\.41\D")
+
+
 class Continuation(SurfaceTest):
     fixes = NVE + DOWN + f"fix w all wall/gran/sdf {HISTORY} surface s.stl side inside move wiggle 0.2 0.1 0.3 0.02\n"
     stl = ("s.stl", surfaces.binary_stl(surfaces.box(LO, HI, 4)))
@@ -532,6 +548,16 @@ class Mistakes(SurfaceTest):
         self.fails(f"{HISTORY} surface box(0,1,0,1,0,1) scale 2 spacing 0.1", "spacing stands right behind the shape")
         self.fails(f"{HISTORY} surface ball(0,0,0,1)", "'ball' is no shape", "sphere")
         self.fails(f"{HISTORY} surface sphere(0,0,0,1) spacing 0", "the spacing is 0")
+        box = "box(0,1,0,1,0,1)"
+        self.fails(f"{HISTORY} surface {box} minus {box}", "'minus' is no operation", "union, intersection and difference")
+        self.fails(f"{HISTORY} surface {box} {box}", "'box(0,1,0,1,0,1)' is no operation")
+        self.fails(f"{HISTORY} surface {box} union", "the shape behind union is missing")
+        self.fails(f"{HISTORY} surface {box} union spacing 0.1", "union combines shapes, but 'spacing'")
+        self.fails(f"{HISTORY} surface s.stl union {box} spacing 0.1", "union combines shapes, but 's.stl'")
+        self.fails(f"{HISTORY} surface {box} spacing 0.1 union {box}", "union stands between two shapes")
+        self.fails(f"{HISTORY} surface {box} union {box}", "keyword spacing")
+        self.fails(f"{HISTORY} surface {box} difference plane(0,0,0,0,0,1,1) spacing 0.1", "plane(0,0,0,0,0,1,1)", "closed shapes")
+        self.fails(f"{HISTORY} surface {box} difference sphere(0,0,0,2) spacing 0.1", "nothing is left of it")
         self.fails(f"{HISTORY} surface s.stl side left", "'left'", "both, inside or outside")
         self.fails(f"{HISTORY} surface s.stl move spin 1", "'spin'", "rotate, nutate")
         self.fails(f"{HISTORY} surface s.stl move rotate 0 0 0 0 0 0 1", "axis", "no length")

@@ -127,7 +127,7 @@ TEST(ShapeSurface, NamesWhatIsWrong)
     }
     return std::string("nothing");
   };
-  EXPECT_EQ(said("ball(0,0,0,1)"), "shape 'ball(0,0,0,1)': 'ball' is no shape; there are box, sphere, cylinder, cone, torus and plane");
+  EXPECT_EQ(said("ball(0,0,0,1)"), "shape 'ball(0,0,0,1)': 'ball' is no shape; there are box, sphere, cylinder, cone, torus and plane, and their union, intersection and difference");
   EXPECT_EQ(said("sphere(0,0,1)"), "shape 'sphere(0,0,1)': sphere takes 4 values (x, y, z, radius), not 3");
   EXPECT_EQ(said("sphere(0,0,zero,1)"), "shape 'sphere(0,0,zero,1)': 'zero' stands where z is expected, a number");
   EXPECT_EQ(said("sphere(0,0,0,-1)"), "shape 'sphere(0,0,0,-1)': the radius is -1, it must be above 0");

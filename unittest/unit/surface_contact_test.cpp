@@ -81,6 +81,27 @@ TEST(SurfaceContact, nearestOfAllTriangles)
   EXPECT_GT(hits, 300);
 }
 
+/// Triangles that look in opposite directions share nodes of the search tree.
+TEST(SurfaceContact, bothFacesOfAPlate)
+{
+  constexpr int n = 40;  // boxes as wide as the plate is thick hold some of each face
+  constexpr double thickness = 0.5;
+  SurfaceMesh plate = rectangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}, n);
+  append(plate, rectangle({0, 0, -thickness}, {0, 8, 0}, {8, 0, 0}, n));
+  cleanSurface(plate);
+  constexpr double radius = 0.5;
+  const Surface surface(plate, radius, SurfaceSide::Both);
+  Random random;
+  for (int k = 0; k < 2000; ++k) {
+    const double height = random.between(0.1, 0.45);
+    Vec3<double> x = random.inCube(1.0, 7.0);
+    x.z = k % 2 ? height : -thickness - height;
+    const SurfaceContacts c = contactsAt(surface, x, radius);
+    ASSERT_EQ(c.count, 1) << x.x << " " << x.y << " " << x.z;
+    ASSERT_NEAR(c.contact[0].distance, height, shapeRoundOff);
+  }
+}
+
 TEST(SurfaceContact, cornersOfABox)
 {
   SurfaceMesh m = cube(1.0, 4);

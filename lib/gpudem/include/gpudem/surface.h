@@ -35,8 +35,12 @@ bool canReadLevelSets();
 
 /// Has \p word the form of a shape, name(...)?
 bool isShape(const std::string &word);
+/// Is \p word an operation between shapes, union, intersection or difference?
+bool isOperation(const std::string &word);
 /// A body of simple shape, closed but for the plane: box(xlo,xhi,ylo,yhi,zlo,zhi), sphere(x,y,z,r),
 /// cylinder(axis,c1,c2,r,lo,hi), cone(axis,c1,c2,rlo,rhi,lo,hi), torus(axis,x,y,z,R,r), plane(x,y,z,nx,ny,nz,half).
+/// Combined closed shapes: union(A,B,...), intersection(A,B,...), difference(A,B,...) = A without B and all that follow,
+/// where each may be a combination itself. Their triangles are found in cells as long as the spacing, which they need.
 /// Corners of triangles lie on the exact surface; cleanSurface() joins them.
 /// \param spacing length of no facet's side is above it, but for diagonals (distance); 0: straight sides are not cut, and
 ///                curved ones as often as \p chord asks for

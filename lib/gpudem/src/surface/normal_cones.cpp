@@ -33,7 +33,8 @@ double angle(const Vec3<double> &a, const Vec3<double> &b)
 
 Cone merged(const Cone &a, const Cone &b)
 {
-  if (a.half > widest || b.half > widest) return {};
+  // opposite axes have no middle
+  if (a.half > widest || b.half > widest || dot(a.axis, b.axis) < std::cos(2.0 * widest)) return {};
   Cone c;
   c.axis = unit(a.axis + b.axis);
   c.half = std::max(angle(c.axis, a.axis) + a.half, angle(c.axis, b.axis) + b.half);

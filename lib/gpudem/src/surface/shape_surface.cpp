@@ -4,12 +4,11 @@
 #include "gpudem/surface.h"
 
 #include "base/vec3.hpp"
-
-#include <fmt/format.h>
+#include "surface/combined_shape.hpp"
+#include "surface/shape_parse.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 
 namespace gpudem {
@@ -18,81 +17,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double mostTriangles = 2e7;
-
-struct Shape {
-  const char *name;
-  std::vector<const char *> value;  ///< what its values mean; "axis" is x, y or z
-};
-const std::vector<Shape> &shapes()
-{
-  static const std::vector<Shape> all = {
-      {"box", {"xlo", "xhi", "ylo", "yhi", "zlo", "zhi"}},
-      {"sphere", {"x", "y", "z", "radius"}},
-      {"cylinder", {"axis", "c1", "c2", "radius", "lo", "hi"}},
-      {"cone", {"axis", "c1", "c2", "radius at lo", "radius at hi", "lo", "hi"}},
-      {"torus", {"axis", "x", "y", "z", "radius of the ring", "radius of the tube"}},
-      {"plane", {"x", "y", "z", "nx", "ny", "nz", "half of the side"}},
-  };
-  return all;
-}
-
-std::string trimmed(const std::string &s)
-{
-  const std::size_t first = s.find_first_not_of(" \t"), last = s.find_last_not_of(" \t");
-  return first == std::string::npos ? "" : s.substr(first, last - first + 1);
-}
-
-/// A shape and its values; an axis as 0, 1 or 2.
-struct Parsed {
-  std::string text, name;
-  std::vector<double> value;
-
-  [[noreturn]] void refuse(const std::string &why) const { throw Error(fmt::format("shape '{}': {}", text, why)); }
-  double positive(std::size_t k, const char *what) const
-  {
-    if (!(value[k] > 0.0)) refuse(fmt::format("{} is {:g}, it must be above 0", what, value[k]));
-    return value[k];
-  }
-  void ordered(std::size_t lo, std::size_t hi, const char *what) const
-  {
-    if (!(value[lo] < value[hi]))
-      refuse(fmt::format("the lower end in {} is {:g}, it must be below the upper one, {:g}", what, value[lo], value[hi]));
-  }
-};
-
-Parsed parse(const std::string &text)
-{
-  Parsed p{text, "", {}};
-  const std::size_t open = text.find('(');
-  if (open == std::string::npos || text.back() != ')') p.refuse("it must have the form name(value,value,...)");
-  p.name = trimmed(text.substr(0, open));
-  const auto found = std::find_if(shapes().begin(), shapes().end(), [&](const Shape &s) { return p.name == s.name; });
-  if (found == shapes().end())
-    p.refuse(fmt::format("'{}' is no shape; there are box, sphere, cylinder, cone, torus and plane", p.name));
-  std::vector<std::string> word(1);
-  for (std::size_t k = open + 1; k + 1 < text.size(); ++k) {
-    if (text[k] == ',') word.emplace_back();
-    else word.back() += text[k];
-  }
-  if (word.size() != found->value.size()) {
-    std::string wanted;
-    for (const char *v : found->value) wanted += (wanted.empty() ? "" : ", ") + std::string(v);
-    p.refuse(fmt::format("{} takes {} values ({}), not {}", p.name, found->value.size(), wanted, word.size()));
-  }
-  for (std::size_t k = 0; k < word.size(); ++k) {
-    const std::string w = trimmed(word[k]), what = found->value[k];
-    if (what == "axis") {
-      if (w != "x" && w != "y" && w != "z") p.refuse(fmt::format("the axis is x, y or z, not '{}'", w));
-      p.value.push_back(w[0] - 'x');
-      continue;
-    }
-    char *end = nullptr;
-    p.value.push_back(std::strtod(w.c_str(), &end));
-    if (w.empty() || *end != '\0' || !std::isfinite(p.value.back()))
-      p.refuse(fmt::format("'{}' stands where {} is expected, a number", w, what));
-  }
-  return p;
-}
+using Parsed = ParsedShape;
 
 /// How long facets may be.
 struct Resolution {
@@ -158,13 +83,13 @@ Vec3<double> about(int axis, const Vec3<double> &p)
 /// c1 and c2 of a cylinder as LAMMPS orders them, (y,z), (x,z) or (x,y), and the place along the axis.
 Vec3<double> placed(int axis, double c1, double c2, double along)
 {
-  return axis == 0 ? Vec3<double>{along, c1, c2} : axis == 1 ? Vec3<double>{c1, along, c2} : Vec3<double>{c1, c2, along};
+  return axis == 0   ? Vec3<double>{along, c1, c2}
+         : axis == 1 ? Vec3<double>{c1, along, c2}
+                     : Vec3<double>{c1, c2, along};
 }
 
 void addBox(const Parsed &p, const Resolution &r, SurfaceMesh &m)
 {
-  const char *names[] = {"x", "y", "z"};
-  for (std::size_t d = 0; d < 3; ++d) p.ordered(2 * d, 2 * d + 1, names[d]);
   for (int d = 0; d < 3; ++d) {
     const int e = (d + 1) % 3, f = (d + 2) % 3;
     const auto at = [&](int axis, double u) {
@@ -187,7 +112,7 @@ void addBox(const Parsed &p, const Resolution &r, SurfaceMesh &m)
 void addSphere(const Parsed &p, const Resolution &r, SurfaceMesh &m)
 {
   const Vec3<double> centre{p.value[0], p.value[1], p.value[2]};
-  const double radius = p.positive(3, "the radius"), edge = std::acos(1.0 / std::sqrt(5.0)) * radius;
+  const double radius = p.value[3], edge = std::acos(1.0 / std::sqrt(5.0)) * radius;
   // the corners of the pieces lie 1.18 times as far apart in the middle of a face
   const int n = std::max(2, (r.curved(p, 12.0 * 1.18 * edge, radius) + 11) / 12);
   if (20.0 * n * n > mostTriangles) p.refuse("spacing is too small: it would take more than 20 million triangles");
@@ -199,7 +124,8 @@ void addSphere(const Parsed &p, const Resolution &r, SurfaceMesh &m)
   }
   corner.push_back({0.0, 0.0, -1.0});
   const auto face = [&](int a, int b, int c) {
-    const auto at = [&](int i, int j) {  // the same sum from both sides of an edge, but for rounding, which welding mends
+    const auto at = [&](int i,
+                        int j) {  // the same sum from both sides of an edge, but for rounding, which welding mends
       const Vec3<double> x = corner[static_cast<std::size_t>(a)] * static_cast<double>(n - i - j) +
                              corner[static_cast<std::size_t>(b)] * static_cast<double>(i) +
                              corner[static_cast<std::size_t>(c)] * static_cast<double>(j);
@@ -243,9 +169,7 @@ void addFrustum(const Parsed &p, const Resolution &r, double low, double high, d
 void addTorus(const Parsed &p, const Resolution &r, SurfaceMesh &m)
 {
   const Vec3<double> centre{p.value[1], p.value[2], p.value[3]};
-  const double ring = p.positive(4, "the radius of the ring"), tube = p.positive(5, "the radius of the tube");
-  if (!(tube < ring)) p.refuse("the tube must be thinner than the ring");
-  const double outer = ring + tube;
+  const double ring = p.value[4], tube = p.value[5], outer = ring + tube;
   addGrid(p, m, r.curved(p, 2.0 * pi * outer, outer), r.curved(p, 2.0 * pi * tube, tube), [&](double u, double v) {
     const Vec3<double> around = onCircle(u), c = onCircle(v);
     Vec3<double> x = around * (ring + tube * c.x);
@@ -257,9 +181,8 @@ void addTorus(const Parsed &p, const Resolution &r, SurfaceMesh &m)
 void addPlane(const Parsed &p, const Resolution &r, SurfaceMesh &m)
 {
   const Vec3<double> centre{p.value[0], p.value[1], p.value[2]}, given{p.value[3], p.value[4], p.value[5]};
-  const double half = p.positive(6, "half of the side"), length = std::sqrt(dot(given, given));
-  if (!(length > 0.0)) p.refuse("the normal is a vector of no length");
-  const Vec3<double> n = given * (1.0 / length);
+  const double half = p.value[6];
+  const Vec3<double> n = given * (1.0 / std::sqrt(dot(given, given)));
   int least = 0;
   for (int d = 1; d < 3; ++d)
     if (std::abs(n[d]) < std::abs(n[least])) least = d;
@@ -274,31 +197,17 @@ void addPlane(const Parsed &p, const Resolution &r, SurfaceMesh &m)
 
 }  // namespace
 
-bool isShape(const std::string &word)
-{
-  const std::size_t open = word.find('(');
-  return open != std::string::npos && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz_ ") >= open;
-}
-
 SurfaceMesh shapeSurface(const std::string &shape, double spacing, double chord)
 {
-  const Parsed p = parse(trimmed(shape));
+  const Parsed p = parseShape(shape);
+  if (p.combined()) return combinedSurface(p, spacing);
   const Resolution r{spacing, chord};
   SurfaceMesh m;
   m.zoneName.push_back(p.name);
   if (p.name == "box") addBox(p, r, m);
   if (p.name == "sphere") addSphere(p, r, m);
-  if (p.name == "cylinder") {
-    p.ordered(4, 5, "the direction of the axis");
-    const double radius = p.positive(3, "the radius");
-    addFrustum(p, r, radius, radius, p.value[4], p.value[5], m);
-  }
-  if (p.name == "cone") {
-    p.ordered(5, 6, "the direction of the axis");
-    const double low = p.value[3], high = p.value[4];
-    if (low < 0.0 || high < 0.0 || low + high == 0.0) p.refuse("its radii must not be negative, and one of them above 0");
-    addFrustum(p, r, low, high, p.value[5], p.value[6], m);
-  }
+  if (p.name == "cylinder") addFrustum(p, r, p.value[3], p.value[3], p.value[4], p.value[5], m);
+  if (p.name == "cone") addFrustum(p, r, p.value[3], p.value[4], p.value[5], p.value[6], m);
   if (p.name == "torus") addTorus(p, r, m);
   if (p.name == "plane") addPlane(p, r, m);
   return m;

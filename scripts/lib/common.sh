@@ -21,3 +21,15 @@ as_root() {
 }
 
 cores() { nproc 2>/dev/null || echo 1; }
+
+# The first python3 with the modules named: that of conda or pyenv is often first in PATH and has none of them.
+python_with() {
+  local python modules=$*
+  while read -r python; do
+    if "$python" -c "import ${modules// /, }" 2>/dev/null; then
+      printf '%s\n' "$python"
+      return
+    fi
+  done < <(type -ap python3; echo /usr/bin/python3)
+  die "no python3 in PATH has: $modules (Debian: python3-${modules// / python3-}; or pip install $modules)"
+}

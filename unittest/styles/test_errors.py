@@ -23,7 +23,7 @@ class Errors(StylesTest):
         return run
 
     def test_unknown_keyword(self):
-        self.fails("gpudem foo 1\n", "ERROR", "'foo'", "device, precision, threads, neighbor, levels, conventions, info")
+        self.fails("gpudem foo 1\n", "ERROR", "'foo'", "device, precision, threads, neighbor, levels, warps, conventions, info")
 
     def test_unknown_value(self):
         self.fails("gpudem precision half\n", "ERROR", "'half'", "'precision'", "double, mixed")

@@ -87,14 +87,13 @@ class StylesTest(unittest.TestCase):
             env.update(OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_btl="self", OMPI_MCA_pml="ob1", OMPI_MCA_osc="^ucx")
         else:
             command = [MPIRUN, "--oversubscribe", "-np", str(ranks), *command]
-        # Open MPI's launchers share a directory under TMPDIR, and one that ends can remove it under one that starts
-        with tempfile.TemporaryDirectory(prefix="mpi-") as session:
-            env.setdefault("OMPI_MCA_orte_tmpdir_base", session)
-            try:
-                done = subprocess.run(command, cwd=directory, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                      stdin=subprocess.DEVNULL, timeout=timeout, text=True, errors="replace")
-            except subprocess.TimeoutExpired as stuck:
-                self.fail(f"{command} did not end within {timeout} s; last output:\n{(stuck.stdout or b'')[-2000:]}")
+        # Open MPI's launchers share a session directory, and one that ends can remove it under one that starts
+        env["OMPI_MCA_orte_tmpdir_base"] = str(directory)
+        try:
+            done = subprocess.run(command, cwd=directory, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  stdin=subprocess.DEVNULL, timeout=timeout, text=True, errors="replace")
+        except subprocess.TimeoutExpired as stuck:
+            self.fail(f"{command} did not end within {timeout} s; last output:\n{(stuck.stdout or b'')[-2000:]}")
         log = directory / "log.test"
         text = log.read_text(errors="replace") if log.exists() else ""
         result = Run(directory, done.returncode, text + "\n" + done.stdout)

@@ -229,6 +229,47 @@ TEST_P(NeighborEngineTest, OneBodyTouchesAHundredThousand)
   EXPECT_EQ(springs(), before);
 }
 
+/// Bodies that press into many grains each: force, torque, virial and springs of rows of any length, whoever adds them up.
+/// Chunks of pairs know no long rows; they are the reference, in the same precision, as grains begin to slip here and there.
+TEST_P(NeighborEngineTest, ForcesOnBodiesThatManyTouch)
+{
+  // rows of two segments or three, and of more than a warp has lanes
+  for (const std::size_t touching : {std::size_t(80), std::size_t(600), std::size_t(9000)}) {
+    SCOPED_TRACE(touching);
+    const double small = 0.05, large = small * std::sqrt(static_cast<double>(touching)) * 0.6;
+    Box box;
+    box.hi = {10.0 * large, 5.0 * large, 5.0 * large};
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> even(-1.0, 1.0);
+    Grains start;
+    for (int body = 0; body < 2; ++body) {
+      const double centre[3] = {(2.5 + 5.0 * body) * large, 2.5 * large, 2.5 * large};
+      start.add({centre[0], centre[1], centre[2]}, {0.3, 0, 0}, {0, 0, 2.0}, large, 1e3);
+      for (std::size_t k = 0; k < touching; ++k) {
+        const double z = 1.0 - (2.0 * k + 1.0) / touching, r = std::sqrt(1.0 - z * z), a = 2.399963229728653 * k;
+        const double away = large + small * (0.97 + 0.05 * even(random));
+        start.add({centre[0] + away * r * std::cos(a), centre[1] + away * r * std::sin(a), centre[2] + away * z},
+                  {even(random), even(random), even(random)}, {0, 0, 0}, small, 0.01);
+      }
+    }
+    SceneSpec scene = springScene(large, 0);
+    scene.skin = 0.02;
+    const std::unique_ptr<Engine> engine = make(), reference = makeEngine({DeviceKind::Cpu, GetParam().precision, 1});
+    Driver driver(*engine, scene, box, start), expected(*reference, scene, box, start);
+    const std::int64_t steps = touching > 1000 ? 8 : 40;
+    driver.run(steps, 16, true);
+    expected.run(steps, 16, true);
+    const Grains g = driver.read(), e = expected.read();
+    const double tolerance = fine() ? 1e-9 : 2e-3;
+    EXPECT_LT(largestDifference(g.f, e.f), tolerance * largest(e.f));
+    EXPECT_LT(largestDifference(g.t, e.t), tolerance * largest(e.t));
+    EXPECT_LT(largestDifference(g.w, e.w), tolerance * largest(e.w));
+    for (int d = 0; d < 6; ++d)
+      EXPECT_NEAR(engine->observables().virial[d], reference->observables().virial[d],
+                  tolerance * std::abs(reference->observables().virial[0]));
+  }
+}
+
 GPUDEM_ON_ALL_BACKENDS(NeighborEngineTest);
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace gpudem::testing {
 namespace {
 
-constexpr std::uint32_t mostWarps = 4, mostLanes = mostWarps * warpWidth;
+constexpr std::uint32_t mostWarps = 8, mostLanes = mostWarps * warpWidth;
 
 class Team {
  public:

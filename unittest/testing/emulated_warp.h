@@ -17,7 +17,7 @@
 
 namespace gpudem::testing {
 
-/// body() in each lane of a team of \p warps (at most 4); a lane finds its numbers by warpLane() and teamWarp().
+/// body() in each lane of a team of \p warps (at most 8); a lane finds its numbers by warpLane() and teamWarp().
 void runTeam(std::uint32_t warps, const std::function<void()> &body);
 
 /// The CPU backend with the kernels of the GPU.

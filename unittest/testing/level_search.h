@@ -3,12 +3,12 @@
 /// \file The neighbour tables of a cloud in both forms, and the same pairs by brute force.
 #pragma once
 
-#include "base/exec_cpu.hpp"
 #include "engine/transfer.hpp"
 #include "neighbor/cross_levels.hpp"
 #include "neighbor/level_choice.hpp"
 #include "neighbor/pair_table.hpp"
 #include "neighbor/row_table.hpp"
+#include "testing/emulated_warp.h"
 #include "testing/mixtures.h"
 
 #include <gtest/gtest.h>
@@ -16,12 +16,6 @@
 namespace gpudem::testing {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  ///< (i, j) of host indices, sorted
-
-/// Runs what the GPU runs.
-struct GpuCodeExec : CpuExec {
-  static constexpr bool onGpu = true;
-  using CpuExec::CpuExec;
-};
 
 /// The tables of a cloud, by the functions that the engine calls.
 template <class P>
@@ -120,17 +114,21 @@ class Search {
   /// Every entry of every row.
   Pairs rows()
   {
-    GpuCodeExec gpu(1);
-    CrossLevels<GpuCodeExec, P> gpuCross;
+    EmulatedExec gpu;
+    CrossLevels<EmulatedExec, P> gpuCross;
     BuildView<P> w = v;
     w.cross = gpuCross.build(gpu, w);
-    RowTable<CpuExec, P> table;
-    table.build(exec, w, false, {}, nullptr);
+    RowTable<EmulatedExec, P> table;
+    table.build(gpu, w, false, {}, nullptr);
     const auto r = table.view();
     Pairs pairs;
     for (std::uint32_t i = 0; i < n_; ++i)
       for (std::uint32_t k = 0; k < r.count[i]; ++k)
         pairs.emplace_back(order.data()[i], order.data()[r.neighbor[r.start[i / 32] + i % 32 + k * 32]]);
+    const std::uint32_t longRows = r.longFirst ? r.longFirst[chunksOf(n_, 32)] : 0u;
+    for (std::uint32_t m = 0; m < longRows; ++m)
+      for (std::uint32_t k = 0; k < r.longRow[m].count; ++k)
+        pairs.emplace_back(order.data()[r.longRow[m].grain], order.data()[r.neighbor[r.longRow[m].start + k]]);
     std::sort(pairs.begin(), pairs.end());
     return pairs;
   }

@@ -7,6 +7,7 @@
 #include "base/annotate.hpp"
 
 #include <cstdint>
+#include <cstring>
 
 namespace gpudem {
 
@@ -84,6 +85,21 @@ GPUDEM_HD std::uint32_t warpShuffle(std::uint32_t value, std::uint32_t from)
 #else
   return host::gather(value, [](const std::uint32_t *all, std::uint32_t k) { return all[k]; }, from);
 #endif
+}
+
+/// Sum over the lanes, in the same order each time.
+template <class Real>
+GPUDEM_HD Real warpSum(Real value)
+{
+  for (std::uint32_t apart = warpWidth / 2; apart > 0; apart /= 2) {
+    std::uint32_t words[sizeof(Real) / 4];
+    memcpy(words, &value, sizeof value);
+    for (std::uint32_t &word : words) word = warpShuffle(word, warpLane() ^ apart);
+    Real other;
+    memcpy(&other, words, sizeof other);
+    value += other;
+  }
+  return value;
 }
 
 /// Largest \p value of all lanes.

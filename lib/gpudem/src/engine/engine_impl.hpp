@@ -20,6 +20,7 @@
 #include "neighbor/size_range.hpp"
 #include "step/contact_chunk.hpp"
 #include "step/contact_team.hpp"
+#include "step/segment_contacts.hpp"
 #include "step/contact_warp.hpp"
 #include "step/kernel_products.hpp"
 #include "step/observables.hpp"
@@ -131,6 +132,8 @@ class EngineImpl final : public Engine {
   void launchContactsIn(const StepView<P> &v);
   template <class Law, StepMode mode>
   void launchLaw(const StepView<P> &v);
+  template <class Law, StepMode mode>
+  void launchLongRows(const StepView<P> &v);
   template <class Law, StepMode mode, WallUse walls>
   void launchLawAndWalls(const StepView<P> &v);
   template <class Product>

@@ -210,6 +210,19 @@ int EngineImpl<Exec, P>::warpsPerSlice(std::uint32_t slices) const
   return 1;
 }
 
+/// Ahead of the contacts of the slices, which may begin meanwhile. Parts of a step share one launch: the first brings it.
+template <class Exec, class P>
+template <class Law, StepMode mode>
+void EngineImpl<Exec, P>::launchLongRows(const StepView<P> &v)
+{
+  if constexpr (Exec::onGpu) {
+    if (table_.segments() == 0) return;
+    const bool first = !part_ || part_->unit == layer_.border().unit;
+    if (first) exec_.forEachTeam(table_.segments(), SegmentContacts<P, Law, mode>{{v}}, contactsStart_);
+    contactsStart_ = first ? Start::Early : Start::InTurn;
+  }
+}
+
 template <class Exec, class P>
 template <class Law, StepMode mode, WallUse walls>
 void EngineImpl<Exec, P>::launchLawAndWalls(const StepView<P> &v)
@@ -248,6 +261,7 @@ void EngineImpl<Exec, P>::launchLaw(const StepView<P> &v)
 {
   const auto isPlain = [](const WallSpec &wall) { return !isApart(wall); };
   const auto hasModel = [](const WallSpec &wall) { return !isApart(wall) && wall.model; };
+  launchLongRows<Law, mode>(v);
   if (std::none_of(scene_.walls.begin(), scene_.walls.end(), isPlain))
     return launchLawAndWalls<Law, mode, WallUse::None>(v);
   if constexpr (Exec::onGpu && Law::moments && !std::is_same<typename Law::WallProduct, AnyProduct>::value)

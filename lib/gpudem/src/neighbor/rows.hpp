@@ -10,6 +10,9 @@
 
 namespace gpudem {
 
+/// Entries of a row that fits a slice.
+constexpr std::uint32_t longestShortRow = 64;
+
 /// neigh_modify exclude, as tests on group bits and a table of type pairs.
 struct ExclusionView {
   int groups;
@@ -85,10 +88,10 @@ GPUDEM_HD void forEachRange(const BuildView<P> &v, std::uint32_t cell, Range &&r
   range(v.count + from, v.count + to);
 }
 
-/// Call visit(j, touches) for every grain j != i of any level that lies within the coarse reach; \p touches is wrong to
-/// the safe side only.
+/// Call visit(j, touches) for every grain j != i of the same level that lies within the coarse reach; \p touches is wrong
+/// to the safe side only.
 template <class P, class Visit>
-GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
+GPUDEM_HD void forEachOwnNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
 {
   const CoarsePosition p = v.position.coarse[i];
   const std::uint32_t mask = v.mask[i];
@@ -108,7 +111,16 @@ GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&v
     }
   };
   forEachOwnCell(v.levels, v.cell[i], [&](std::uint32_t cell) { forEachRange(v, cell, range); });
+}
+
+/// Likewise for the grains of all levels.
+template <class P, class Visit>
+GPUDEM_HD void forEachNeighbor(const BuildView<P> &v, std::uint32_t i, Visit &&visit)
+{
+  forEachOwnNeighbor(v, i, visit);
   if (!v.cross.offset) return;
+  const CoarsePosition p = v.position.coarse[i];
+  const Vec3<float> unit = v.frame.unit32.template as<float>();
   const auto listed = [&](const std::uint32_t *list, std::uint32_t from, std::uint32_t to) {
     for (; from < to; ++from) {
       const std::uint32_t j = list[from];
@@ -128,12 +140,13 @@ struct CountNeighbors {
   GPUDEM_HD void operator()(std::uint32_t i) const
   {
     std::uint32_t n = 0;
-    forEachNeighbor(v, i, [&](std::uint32_t, bool) { ++n; });
+    forEachOwnNeighbor(v, i, [&](std::uint32_t, bool) { ++n; });
+    if (v.cross.offset) n += v.cross.offset[i + 1] - v.cross.offset[i] + (v.cross.end[i] - v.cross.first[i]);
     out[i] = n;
   }
 };
 
-/// Width and touch words of each slice from the lengths of its rows.
+/// Width and touch words of each slice from the lengths of its rows, but for those that are long.
 template <int W>
 struct SliceWidths {
   static constexpr int blockSize = 256;
@@ -141,11 +154,16 @@ struct SliceWidths {
   std::uint32_t count;
   const std::uint32_t *length;
   std::uint32_t *entries, *words;  ///< [slices]; words beyond the first of each row
+  std::uint32_t *longRows;         ///< [slices] how many
   GPUDEM_HD void operator()(std::uint32_t slice) const
   {
-    std::uint32_t widest = 0;
-    for (std::uint32_t i = slice * W; i < (slice + 1) * W && i < count; ++i)
-      widest = length[i] > widest ? length[i] : widest;
+    std::uint32_t widest = 0, many = 0;
+    for (std::uint32_t i = slice * W; i < (slice + 1) * W && i < count; ++i) {
+      const bool isLong = length[i] > longestShortRow;
+      many += isLong ? 1u : 0u;
+      widest = !isLong && length[i] > widest ? length[i] : widest;
+    }
+    longRows[slice] = many;
     entries[slice] = widest * W;
     words[slice] = widest > 32 ? (widest - 1) / 32 * W : 0u;
   }
@@ -159,7 +177,7 @@ struct AddToAll {
   GPUDEM_HD void operator()(std::uint32_t i) const { out[i] += value; }
 };
 
-/// Write the rows, touching neighbours first, and put each carried spring into its entry.
+/// Write the rows of the slices, touching neighbours first, and put each carried spring into its entry.
 template <class P, Keeping keeping, int W>
 struct FillRows {
   using Real = typename P::Real;
@@ -183,6 +201,7 @@ struct FillRows {
       to = store.offset[oldIndex[i] + 1];
     }
     std::uint32_t front = 0, back = rows.count[i];
+    if (back == 0) return;  // no neighbours, or a long row
     forEachNeighbor(v, i, [&](std::uint32_t j, bool touches) {
       if (touches) {
         const std::uint32_t k = front++;

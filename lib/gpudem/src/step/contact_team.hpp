@@ -62,7 +62,7 @@ struct TeamContacts : RowContacts<P, Law, StepMode::Fused> {
       teamSync();
     }
     if (warp != 0) return;
-    this->waitForWalls(i);
+    this->takeEarlier(slice, i, shared.sum);
     float moved2 = 0.0f;
     if (inRange) {
       Motion<Real> m = s.motionIn[i];

@@ -60,7 +60,7 @@ struct WarpContacts : RowContacts<P, Law, mode> {
       near = !s.refresh && inRange ? s.rows.near[next] : 0u;
       old = Law::keeps(s) && inRange ? s.rows.touch[next] : 0u;
     }
-    this->waitForWalls(i);
+    this->takeEarlier(slice, i, shared.sum);
     float moved2 = 0.0f;
     if (inRange) {
       Motion<Real> m = s.motionIn[i];

@@ -17,10 +17,49 @@ struct RowContacts {
   StepView<P> s;
 
  protected:
-  /// Walls that are launches of their own may still be at work; only grains near one need to know.
-  GPUDEM_HD void waitForWalls(std::uint32_t i) const
+  /// Add what was computed by launches that may still be at work: long rows to the sums of their grains. Walls of their own
+  /// launch are added later, but waited for here. Slices that take part in neither do not wait.
+  GPUDEM_HD void takeEarlier(std::uint32_t slice, std::uint32_t i, Real (*sum)[W]) const
   {
-    if (s.wallsApart && warpAny(i < s.count && (s.anchor[i] & nearRegionBit))) waitForEarlier();
+    const std::uint32_t first = s.rows.longFirst ? s.rows.longFirst[slice] : 0u;
+    const std::uint32_t last = s.rows.longFirst ? s.rows.longFirst[slice + 1] : 0u;
+    const bool wall = s.wallsApart && warpAny(i < s.count && (s.anchor[i] & nearRegionBit));
+    if (wall || first != last) waitForEarlier();
+    if (first != last) addLongRows(first, last, i, sum);
+  }
+
+  /// A lane adds the segments of its own grain; where there are many, all lanes help.
+  GPUDEM_HD void addLongRows(std::uint32_t first, std::uint32_t last, std::uint32_t i, Real (*sum)[W]) const
+  {
+    const std::uint32_t lane = warpLane();
+    std::uint32_t from = 0, to = 0;
+    for (std::uint32_t r = first; r < last; ++r) {
+      const LongRow row = s.rows.longRow[r];
+      const std::uint32_t segments = row.segments();
+      const bool mine = row.grain == i;
+      if (segments <= W) {
+        from = mine ? row.segment : from;
+        to = mine ? row.segment + segments : to;
+        continue;
+      }
+      Real all[loads] = {};
+      addSegments(row.segment + lane, row.segment + segments, W, all);
+      for (int d = 0; d < loads; ++d) {
+        const Real total = warpSum(all[d]);
+        if (mine) sum[d][lane] += total;
+      }
+    }
+    Real own[loads] = {};
+    addSegments(from, to, 1, own);
+    for (int d = 0; d < loads; ++d) sum[d][lane] += own[d];
+  }
+
+  GPUDEM_HD void addSegments(std::uint32_t from, std::uint32_t to, std::uint32_t step, Real *sum) const
+  {
+    for (std::uint32_t k = from; k < to; k += step) {
+      GPUDEM_UNROLL
+      for (int d = 0; d < loads; ++d) sum[d] += s.rows.segmentLoad[static_cast<std::size_t>(k) * loads + d];
+    }
   }
 
   /// Does the inner list stay right, and how long are the steps?

@@ -23,9 +23,24 @@ struct Status {
 constexpr std::uint32_t noParticle = 0xffffffffu;
 constexpr std::uint32_t noLimit = 0xffffffffu;
 
+/// The row of a grain with so many neighbours that 31 others should not be padded to it, nor one lane walk it. Its entries
+/// lie together, and teams of warps take a segment each (segment_contacts.hpp).
+struct LongRow {
+  static constexpr std::uint32_t segmentEntries = 256;
+
+  std::uint32_t grain;
+  std::uint32_t count;    ///< entries
+  std::uint32_t start;    ///< the first of them
+  std::uint32_t word;     ///< of entries 0 .. 31, those of the others follow
+  std::uint32_t segment;  ///< the first of its segments
+
+  GPUDEM_HD std::uint32_t segments() const { return (count + segmentEntries - 1) / segmentEntries; }
+};
+
 /// Neighbour rows on the GPU, in slices of W = 32 grains: entry k of grain i lies at
 /// start[i / W] + k * W + i % W. A row lists each neighbour within the sum of radii plus the skin, on
-/// both sides of the pair; grains that touched when the rows were built come first.
+/// both sides of the pair; grains that touched when the rows were built come first. A grain with a long row has an empty one
+/// in its slice.
 template <class Real>
 struct RowView {
   const std::uint32_t *start;      ///< [slices] first entry of the slice
@@ -35,6 +50,11 @@ struct RowView {
   const std::uint32_t *neighbor;   ///< [entries] device index
   std::uint32_t *touch;            ///< [words] bit k: entry is in contact (laws that keep something only)
   Real *spring;                    ///< [entries][size] what the contact keeps
+
+  const std::uint32_t *longFirst;  ///< [slices+1] first of the long rows of each slice, null if there is none at all
+  const LongRow *longRow;          ///< in the order of the grains
+  const std::uint32_t *rowOfSegment;  ///< [segments] which long row
+  Real *segmentLoad;                  ///< [segments][forces, torques, virial] sums over the contacts of each segment
 
   /// Number of words that each row of a slice has.
   GPUDEM_HD std::uint32_t words(std::uint32_t slice, std::uint32_t W) const

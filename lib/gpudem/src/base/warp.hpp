@@ -87,18 +87,23 @@ GPUDEM_HD std::uint32_t warpShuffle(std::uint32_t value, std::uint32_t from)
 #endif
 }
 
+/// \p value, of any number of words, of lane \p from.
+template <class T>
+GPUDEM_HD T warpTake(const T &value, std::uint32_t from)
+{
+  std::uint32_t words[sizeof(T) / 4];
+  memcpy(words, &value, sizeof value);
+  for (std::uint32_t &word : words) word = warpShuffle(word, from);
+  T other;
+  memcpy(&other, words, sizeof other);
+  return other;
+}
+
 /// Sum over the lanes, in the same order each time.
 template <class Real>
 GPUDEM_HD Real warpSum(Real value)
 {
-  for (std::uint32_t apart = warpWidth / 2; apart > 0; apart /= 2) {
-    std::uint32_t words[sizeof(Real) / 4];
-    memcpy(words, &value, sizeof value);
-    for (std::uint32_t &word : words) word = warpShuffle(word, warpLane() ^ apart);
-    Real other;
-    memcpy(&other, words, sizeof other);
-    value += other;
-  }
+  for (std::uint32_t apart = warpWidth / 2; apart > 0; apart /= 2) value += warpTake(value, warpLane() ^ apart);
   return value;
 }
 

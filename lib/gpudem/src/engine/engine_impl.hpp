@@ -157,6 +157,8 @@ class EngineImpl final : public Engine {
   SurfaceAt surfaceAt(std::size_t w, const StepInputs &in);
   SurfaceStepView<P> surfaceStep(const StepView<P> &v, std::size_t w, const StepInputs &in);
   void launchSurface(const StepView<P> &v, std::size_t w, const StepInputs &in, Start start);
+  template <class Law>
+  void launchSurfaceWith(const SurfaceStepView<P> &step, Start start);
   void markNearSurfaces(const StepView<P> &v, const StepInputs &in);
   void sumSurfaces(const StepView<P> &v, const StepInputs &in);
   void makeRoomForTouches(std::size_t w, SurfaceStepView<P> &step);

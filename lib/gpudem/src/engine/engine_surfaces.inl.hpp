@@ -152,12 +152,25 @@ template <class Exec, class P>
 void EngineImpl<Exec, P>::launchSurface(const StepView<P> &v, std::size_t w, const StepInputs &in, Start start)
 {
   const SurfaceStepView<P> step = surfaceStep(v, w, in);
-  const std::uint32_t grains = surfaces_[w].nearGrains;
-  if (!scene_.walls[w].model) return exec_.forEach(grains, SurfaceStep<P, AnyWallLaw>(step), start);
+  if (!scene_.walls[w].model) return launchSurfaceWith<AnyWallLaw>(step, start);
   const ModelCoefficients<Real> &law = wallModels_[w];
-  withKernelProduct(law.model, law.slipLever != Real(0), [&](auto product) {
-    exec_.forEach(grains, SurfaceStep<P, ModelWallLaw<decltype(product)>>(step), start);
-  });
+  withKernelProduct(law.model, law.slipLever != Real(0),
+                    [&](auto product) { launchSurfaceWith<ModelWallLaw<decltype(product)>>(step, start); });
+}
+
+template <class Exec, class P>
+template <class Law>
+void EngineImpl<Exec, P>::launchSurfaceWith(const SurfaceStepView<P> &step, Start start)
+{
+  if constexpr (Exec::onGpu) {
+    using InGroups = SurfaceGroupStep<P, Law>;
+    const std::uint32_t lanes = InGroups::lanes * step.nearGrains;
+    static const char *e = getenv("GPUDEM_GROUPS");
+    const std::uint32_t most = e ? atoi(e) : 32 * 4 * exec_.fewWarps();
+    const bool groups = warps_ ? warps_ > 1 : lanes <= most;
+    if (groups) return exec_.forEachWarp(lanes, InGroups(step), start);
+  }
+  exec_.forEach(step.nearGrains, SurfaceStep<P, Law>(step), start);
 }
 
 /// Places for all contacts that grains near the surface may have.

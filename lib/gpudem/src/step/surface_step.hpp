@@ -6,6 +6,7 @@
 #include "base/warp.hpp"
 #include "step/observables.hpp"
 #include "step/step_view.hpp"
+#include "surface/group_contacts.hpp"
 #include "wall/surface_wall.hpp"
 
 namespace gpudem {
@@ -37,9 +38,41 @@ struct SurfaceStepView {
   Vec3<Real> *load;  ///< [n] forces, [n] torques; those of grains that are not near are zero
   const std::uint32_t *touchAt;  ///< [n] first place of a grain in \c touch
   SurfaceTouch *touch;           ///< mostContacts for every near grain, or null
+
+  GPUDEM_HD GrainAtSurface<Real> grain(std::uint32_t i, const Motion<Real> &m) const
+  {
+    GrainAtSurface<Real> g;
+    const FixedPosition p = loadPosition(position, i, m.word);
+    g.index = i;
+    g.x = absolutePosition(p, cell[i], grid, frame);
+    g.inBody = at.pose.toBody(g.x);
+    g.radius = p.radius;
+    g.motion = m;
+    if (m.word & flatRole) g.motion.vz = g.motion.wx = g.motion.wy = Real(0);
+    return g;
+  }
+  /// Of the k-th near grain.
+  GPUDEM_HD SurfaceSlots<Real> slots(std::uint32_t k) const
+  {
+    return {wall.history + static_cast<std::size_t>(wall.historySize) * nearGrain[k], mostContacts,
+            wall.historySize / mostContacts, nearSlots[k]};
+  }
+  GPUDEM_HD NearList list(std::uint32_t k, const Vec3<double> &inBody) const
+  {
+    const Vec3<float> way = (inBody - nearFrom[k]).template as<float>();
+    return {nearList + k, nearGap + k, nearGrains, squareRoot(dot(way, way)) * 1.000001f};
+  }
+  GPUDEM_HD SurfaceTouch *touchesOf(std::uint32_t i) const { return touch ? touch + touchAt[i] : nullptr; }
+  GPUDEM_HD void write(std::uint32_t i, const SurfaceLoad<Real> &l) const
+  {
+    load[i] = l.force;
+    load[count + i] = l.torque;
+    if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&status->crowded, i);
+    if (l.trouble == SurfaceTrouble::Crossed) atomicLower(&status->crossed, i);
+  }
 };
 
-/// Loads of the grains near a surface. \tparam Law AnyWallLaw or ModelWallLaw
+/// Loads of the grains near a surface, one lane each. \tparam Law AnyWallLaw or ModelWallLaw
 template <class P, class Law>
 struct SurfaceStep : SurfaceStepView<P> {
   using Real = typename P::Real;
@@ -53,25 +86,71 @@ struct SurfaceStep : SurfaceStepView<P> {
     letNextStart();
     if (s.sequence > s.status->lastAllowed) return;
     const std::uint32_t i = s.nearGrain[k];
-    Motion<Real> m = s.motion[i];
+    const Motion<Real> m = s.motion[i];
     SurfaceLoad<Real> l{};
     if (m.word & s.wall.role) {
-      if (m.word & s.flatRole) m.vz = m.wx = m.wy = Real(0);
-      const FixedPosition p = loadPosition(s.position, i, m.word);
-      const Vec3<double> x = absolutePosition(p, s.cell[i], s.grid, s.frame), inBody = s.at.pose.toBody(x);
-      const Vec3<float> way = (inBody - s.nearFrom[k]).template as<float>();
-      const NearList list{s.nearList + k, s.nearGap + k, s.nearGrains, squareRoot(dot(way, way)) * 1.000001f};
-      SurfaceSlots<Real> slots{s.wall.history + static_cast<std::size_t>(s.wall.historySize) * i, s.mostContacts,
-                               s.wall.historySize / s.mostContacts, s.nearSlots[k]};
-      l = surfaceLoad<Law>(s.wall, s.at, slots, i, s.count, x, inBody, p.radius, m, s.dt, s.advance, list,
-                           s.touch ? s.touch + s.touchAt[i] : nullptr);
+      const GrainAtSurface<Real> g = s.grain(i, m);
+      SurfaceSlots<Real> slots = s.slots(k);
+      l = surfaceLoad<Law>(s.wall, s.at, slots, g, s.count, s.dt, s.advance, s.list(k, g.inBody), s.touchesOf(i));
       s.nearSlots[k] = slots.inUse;
-      if (l.trouble == SurfaceTrouble::Crowded) atomicLower(&s.status->crowded, i);
-      if (l.trouble == SurfaceTrouble::Crossed) atomicLower(&s.status->crossed, i);
     }
-    s.load[i] = l.force;
-    s.load[s.count + i] = l.torque;
+    s.write(i, l);
     waitForEarlier();  // who waits for this launch waits for those before it
+  }
+};
+
+/// The same by several lanes for each grain: where the grains are too few to fill the chip, what counts is the time that
+/// the grain of most contacts takes.
+template <class P, class Law>
+struct SurfaceGroupStep : SurfaceStepView<P> {
+  using Real = typename P::Real;
+  static constexpr int blockSize = 64;
+  static constexpr int minimumBlocks = P::fine ? 5 : 8;
+  static constexpr std::uint32_t lanes = 4;  ///< of a group
+
+  struct Group {
+    GroupContacts<lanes> search;
+    ContactLoad<Real> load[maxSurfaceSlots];
+    int slot[maxSurfaceSlots];
+  };
+  /// What the lanes of a warp share.
+  struct Shared {
+    Group group[warpWidth / lanes];
+  };
+
+  GPUDEM_HD explicit SurfaceGroupStep(const SurfaceStepView<P> &v) : SurfaceStepView<P>(v) {}
+  /// All lanes of a warp call this; there are nearGrains groups.
+  GPUDEM_HD void operator()(std::uint32_t thread, bool inRange, Shared &shared) const
+  {
+    const SurfaceStepView<P> &s = *this;
+    letNextStart();
+    if (s.sequence > s.status->lastAllowed) return;
+    const std::uint32_t k = inRange ? thread / lanes : 0u, i = s.nearGrain[k], member = warpLane() % lanes;
+    Group &group = shared.group[warpLane() / lanes];
+    SurfaceContacts &c = group.search.contacts;
+    const Motion<Real> m = s.motion[i];
+    const bool wanted = inRange && (m.word & s.wall.role), leads = member == 0;
+    const GrainAtSurface<Real> g = s.grain(i, m);
+    SurfaceSlots<Real> slots = s.slots(k);
+    const NearList list = s.list(k, g.inBody);
+    GroupSearch<lanes>(s.at.surface, g.inBody, holdingReach<Law>(s.wall, slots, g.radius), list, group.search).find(wanted);
+    SurfaceTrouble trouble = SurfaceTrouble::None;
+    if (wanted && leads) trouble = takeSlots(s.at, slots, c, g.radius, group.slot);
+    warpSync();
+    SurfaceTouch *touches = s.touchesOf(i);
+    for (int n = static_cast<int>(member); wanted && n < c.count; n += static_cast<int>(lanes))
+      group.load[n] = contactLoad<Law>(s.wall, s.at, slots, group.slot[n], c.contact[n], g, s.dt, s.advance,
+                                       touches ? touches + n : nullptr);
+    warpSync();
+    if (inRange && leads) {
+      SurfaceLoad<Real> l{};
+      if (wanted) {
+        l = sumOfContacts(s.wall, s.at, slots, c, group.slot, g, s.count, trouble, [&](int n) { return group.load[n]; });
+        s.nearSlots[k] = slots.inUse;
+      }
+      s.write(i, l);
+    }
+    waitForEarlier();
   }
 };
 

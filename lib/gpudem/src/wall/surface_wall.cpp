@@ -96,10 +96,13 @@ WallSums SurfaceWall::apply(const HostParticles &p, const BodyMotion &motion, do
     }
     const Vec3<double> x = vectorAt(p.position, i), v = vectorAt(p.velocity, i), w = vectorAt(p.spin, i);
     for (SurfaceTouch &t : touch) t.triangle = noTriangle;
-    const Motion<double> m{v.x, v.y, v.z, p.mass[i], w.x, w.y, w.z, 0, 0};
+    const GrainAtSurface<double> grain{static_cast<std::uint32_t>(i),
+                                       x,
+                                       at.pose.toBody(x),
+                                       p.radius[i],
+                                       {v.x, v.y, v.z, p.mass[i], w.x, w.y, w.z, 0, 0}};
     const SurfaceLoad<double> load =
-        surfaceLoad(wall, at, slots, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(p.count), x,
-                    at.pose.toBody(x), p.radius[i], m, timestep, advance, NearList{},
+        surfaceLoad(wall, at, slots, grain, static_cast<std::uint32_t>(p.count), timestep, advance, NearList{},
                     spec.recordTouches ? touch.data() : nullptr);
     for (SurfaceTouch &t : touch) {
       if (t.triangle == noTriangle) continue;

@@ -179,18 +179,16 @@ struct ModelWallLaw {
 template <>
 struct ModelWallLaw<AnyProduct> : AnyWallLaw {};
 
-/// Contacts that hold: those within touch, and adhesive ones that were there and are within the gap.
+/// How far from the centre contacts hold: the radius, and farther where adhesive ones were there (distance).
 template <class Law, class Real>
-GPUDEM_HD void findHolding(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
-                           const Vec3<double> &inBody, double radius, const NearList &list, SurfaceContacts &c)
+GPUDEM_HD double holdingReach(const WallView<Real> &wall, const SurfaceSlots<Real> &slots, double radius)
 {
   bool holds = false;
   if (Law::beyondTouch && wall.flag) {
     holds = wall.model->beforeTouch;
     for (int k = 0; k < slots.most; ++k) holds = holds || (slots.used(k) && slots.at(k)[directionNumbers] != Real(0));
   }
-  const double gap = holds ? static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(radius))) : 0.0;
-  surfaceContacts(s.surface, inBody, radius + gap, c, list);
+  return radius + (holds ? static_cast<double>(AnyProduct::gap(*wall.model, static_cast<Real>(radius))) : 0.0);
 }
 
 /// One contact in \p touch.
@@ -213,43 +211,96 @@ GPUDEM_HD void recordTouch(const SurfaceAt &s, const SurfaceContact &contact, co
   }
 }
 
+/// A grain at a surface.
+template <class Real>
+struct GrainAtSurface {
+  std::uint32_t index;
+  Vec3<double> x, inBody;  ///< the centre, also in the frame of the body (distance)
+  double radius;
+  Motion<Real> motion;
+};
+
+/// Force and torque of one contact, with its weight.
+template <class Real>
+struct ContactLoad {
+  Vec3<Real> force, torque;
+  bool acts;  ///< no: it was found because the neck of another one made the search reach farther
+};
+
+/// What one contact keeps is updated.
+/// \param slot of the contact \param touch of the contact, or null
+template <class Law, class Real>
+GPUDEM_HD ContactLoad<Real> contactLoad(const WallView<Real> &wall, const SurfaceAt &s, const SurfaceSlots<Real> &slots,
+                                        int slot, const SurfaceContact &contact, const GrainAtSurface<Real> &g, Real dt,
+                                        bool advance, SurfaceTouch *touch)
+{
+  ContactLoad<Real> load{};
+  Real *kept = slots.size > directionNumbers ? slots.at(slot) + directionNumbers : nullptr;
+  if (Law::beyondTouch && wall.flag && contact.distance >= g.radius && kept[0] == Real(0) && !wall.model->beforeTouch)
+    return load;
+  const Vec3<double> normal = s.pose.turned(contact.normal), at = g.x - normal * contact.distance;
+  const Contact<Real> in = surfaceContact(contact, normal, s.pose.velocityAt(at), g.radius, g.motion);
+  const ContactForce<Real> f = Law::force(wall, in, kept, dt, advance);
+  const Real weight = static_cast<Real>(contact.weight);
+  load.acts = true;
+  load.force = f.force * weight;
+  load.torque = (f.moment - f.couple * (static_cast<Real>(g.radius) - f.shorter)) * weight;
+  if (touch) recordTouch(s, contact, normal, at, in, load.force, load.torque, *touch);
+  return load;
+}
+
+/// Find a slot for each of the contacts, if there is room for all.
+template <class Real>
+GPUDEM_HD SurfaceTrouble takeSlots(const SurfaceAt &s, SurfaceSlots<Real> &slots, SurfaceContacts &c, double radius,
+                                   int *slot)
+{
+  SurfaceTrouble trouble = SurfaceTrouble::None;
+  if (c.count > slots.most) {
+    trouble = SurfaceTrouble::Crowded;
+    c.count = slots.most;
+  }
+  placeContacts(slots, c, radius, s.surface.side == 0, slot, trouble);
+  return trouble;
+}
+
+/// Sum over the contacts; the recorded one is the deepest. \param of(k) load of contact \p k
+template <class Real, class Load>
+GPUDEM_HD SurfaceLoad<Real> sumOfContacts(const WallView<Real> &wall, const SurfaceAt &s, SurfaceSlots<Real> &slots,
+                                          const SurfaceContacts &c, const int *slot, const GrainAtSurface<Real> &g,
+                                          std::uint32_t count, SurfaceTrouble trouble, const Load &of)
+{
+  const Vec3<Real> none{Real(0), Real(0), Real(0)};
+  SurfaceLoad<Real> load{none, none, trouble};
+  for (int k = c.count - 1; k >= 0; --k) {
+    const ContactLoad<Real> l = of(k);
+    if (!l.acts) {
+      slots.clear(slot[k]);
+      continue;
+    }
+    load.force += l.force;
+    load.torque += l.torque;
+    if (!wall.contacts) continue;
+    const Vec3<double> at = g.x - s.pose.turned(c.contact[k].normal) * c.contact[k].distance;
+    recordContact(wall, g.index, count, l.force, at, g.radius);
+  }
+  return load;
+}
+
 /// Force and torque of all contacts; what they keep and the recorded contact (the deepest) are updated.
-/// \param x, inBody the centre, also in the frame of the body \param list where to look, see surfaceContacts()
+/// \param list where to look, see surfaceContacts() \param count grains in all
 /// \param touch [mostContacts] all contacts, those without force left as they are; null if not wanted
 template <class Law = AnyWallLaw, class Real>
 GPUDEM_HD SurfaceLoad<Real> surfaceLoad(const WallView<Real> &wall, const SurfaceAt &s, SurfaceSlots<Real> &slots,
-                                        std::uint32_t i, std::uint32_t count, const Vec3<double> &x,
-                                        const Vec3<double> &inBody, double radius, const Motion<Real> &m, Real dt,
-                                        bool advance, const NearList &list, SurfaceTouch *touch)
+                                        const GrainAtSurface<Real> &g, std::uint32_t count, Real dt, bool advance,
+                                        const NearList &list, SurfaceTouch *touch)
 {
-  const Vec3<Real> none{Real(0), Real(0), Real(0)};
-  SurfaceLoad<Real> load{none, none, SurfaceTrouble::None};
   SurfaceContacts c;
-  findHolding<Law>(wall, s, slots, inBody, radius, list, c);
-  if (c.count > slots.most) {
-    load.trouble = SurfaceTrouble::Crowded;
-    c.count = slots.most;
-  }
+  surfaceContacts(s.surface, g.inBody, holdingReach<Law>(wall, slots, g.radius), c, list);
   int slot[maxSurfaceSlots];
-  placeContacts(slots, c, radius, s.surface.side == 0, slot, load.trouble);
-  for (int k = c.count - 1; k >= 0; --k) {
-    const SurfaceContact &contact = c.contact[k];
-    const Vec3<double> normal = s.pose.turned(contact.normal), at = x - normal * contact.distance;
-    const Contact<Real> in = surfaceContact(contact, normal, s.pose.velocityAt(at), radius, m);
-    Real *kept = slots.size > directionNumbers ? slots.at(slot[k]) + directionNumbers : nullptr;
-    if (Law::beyondTouch && wall.flag && contact.distance >= radius && kept[0] == Real(0) && !wall.model->beforeTouch) {
-      slots.clear(slot[k]);  // another contact's neck made the search reach farther
-      continue;
-    }
-    const ContactForce<Real> f = Law::force(wall, in, kept, dt, advance);
-    const Real weight = static_cast<Real>(contact.weight);
-    const Vec3<Real> torque = (f.moment - f.couple * (static_cast<Real>(radius) - f.shorter)) * weight;
-    load.force += f.force * weight;
-    load.torque += torque;
-    if (wall.contacts) recordContact(wall, i, count, f.force * weight, at, radius);
-    if (touch) recordTouch(s, contact, normal, at, in, f.force * weight, torque, touch[k]);
-  }
-  return load;
+  const SurfaceTrouble trouble = takeSlots(s, slots, c, g.radius, slot);
+  return sumOfContacts(wall, s, slots, c, slot, g, count, trouble, [&](int k) {
+    return contactLoad<Law>(wall, s, slots, slot[k], c.contact[k], g, dt, advance, touch ? touch + k : nullptr);
+  });
 }
 
 }  // namespace gpudem

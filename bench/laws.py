@@ -3,8 +3,9 @@
 # Copyright (c) 2026 The GPUDEM developers
 """What each sub-model of a contact law costs, in a settled bed (bench/in.settle, bench/in.bed).
 
-One table on standard output (Markdown): time per grain and step, and relative to Hertz-Mindlin. All laws run in turn, several
-times; the median is kept.
+One table on standard output (Markdown): grains and steps per second, the time relative to Hertz-Mindlin, and how often the
+neighbour rows were rebuilt, since a law without friction sets a bed in motion. All laws run in turn, several times; the median
+is kept.
 """
 import argparse
 import os
@@ -32,13 +33,13 @@ REFERENCE = "hertz, mindlin"
 
 
 def seconds(command, environment):
-    """Seconds and grains of the last run of the input."""
+    """Seconds, grains and rebuilds of the last run of the input."""
     done = subprocess.run(command, env={**os.environ, **environment}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True)
     loops = re.findall(r"Loop time of ([0-9.]+) on .* with ([0-9]+) atoms", done.stdout)
     if done.returncode or len(loops) != 2:
         sys.exit(f"{' '.join(command)} failed:\n{done.stdout[-2000:]}")
-    return float(loops[-1][0]), int(loops[-1][1])
+    return float(loops[-1][0]), int(loops[-1][1]), int(re.findall(r"Neighbor list builds = (\d+)", done.stdout)[-1])
 
 
 def main():
@@ -62,18 +63,19 @@ def main():
     if arguments.stock:
         listed.insert(0, (f"stock, {arguments.ranks} ranks",
                           ["mpirun", *root, "--oversubscribe", "-np", str(arguments.ranks), arguments.stock], {}))
-    taken, grains = {}, 0
+    taken, rebuilds, grains = {}, {}, 0
     for _ in range(arguments.repeat):
         for law in arguments.laws:
             words = LAWS[law]
             for name, prefix, environment in listed:
                 if name.startswith("stock"):
                     words = words.replace("tangential none", "tangential linear_nohistory 0.0 0.0")
-                time, grains = seconds(prefix + ["-in", os.path.join(HERE, "in.bed"), "-log", "none", "-var", "x",
+                time, grains, built = seconds(prefix + ["-in", os.path.join(HERE, "in.bed"), "-log", "none", "-var", "x",
                                                  str(arguments.size), "-var", "y", str(arguments.size), "-var", "data",
                                                  arguments.data, "-var", "steps", str(arguments.steps), "-var", "law",
                                                  words], environment)
                 taken.setdefault((law, name), []).append(time / arguments.steps)
+                rebuilds[law, name] = built
     print(f"{grains} grains, {arguments.steps} steps\n")
     print("| law | " + " | ".join(name for name, _, _ in listed) + " |")
     print("|---" * (len(listed) + 1) + "|")
@@ -84,7 +86,7 @@ def main():
             cell = f"{grains / step / 1e9:.3g} G/s"
             if (REFERENCE, name) in taken:
                 cell += f", {step / statistics.median(taken[REFERENCE, name]):.2f}"
-            cells.append(cell)
+            cells.append(f"{cell}, {rebuilds[law, name]} rebuilds")
         print(f"| {law} | " + " | ".join(cells) + " |")
 
 

@@ -66,16 +66,17 @@ TEST(GroupContacts, AreThoseFoundAlone)
         c.moved = static_cast<float>(length(c.x - before)) * 1.000001f;
         c.wanted = even(random) < 0.9;
       }
-      GroupContacts<lanes> shared[groups];
+      SurfaceContacts found[groups];
+      GroupScratch<lanes> scratch[groups];
       runTeam(1, [&] {
-        const Case &c = cases[warpLane() / lanes];
-        const NearList list = c.list();
-        GroupSearch<lanes>(s, c.x, reach, list, shared[warpLane() / lanes]).find(c.wanted);
+        const std::uint32_t g = warpLane() / lanes;
+        const NearList list = cases[g].list();
+        GroupSearch<lanes>(s, cases[g].x, reach, list, found[g], scratch[g]).find(cases[g].wanted);
       });
       for (std::uint32_t g = 0; g < groups; ++g) {
         SurfaceContacts expected{};
         if (cases[g].wanted) surfaceContacts(s, cases[g].x, reach, expected, cases[g].list());
-        expectSame(shared[g].contacts, expected);
+        expectSame(found[g], expected);
         several += expected.count > 1;
         onTree += cases[g].wanted && !cases[g].list().holdsTriangles();
         unwanted += !cases[g].wanted;

@@ -109,8 +109,11 @@ struct SurfaceGroupStep : SurfaceStepView<P> {
   static constexpr std::uint32_t lanes = 4;  ///< of a group
 
   struct Group {
-    GroupContacts<lanes> search;
-    ContactLoad<Real> load[maxSurfaceSlots];
+    SurfaceContacts contacts;
+    union {  // first the one, then the other: shared memory limits how many warps are at work
+      GroupScratch<lanes> scratch;
+      ContactLoad<Real> load[maxSurfaceSlots];
+    };
     int slot[maxSurfaceSlots];
   };
   /// What the lanes of a warp share.
@@ -127,13 +130,14 @@ struct SurfaceGroupStep : SurfaceStepView<P> {
     if (s.sequence > s.status->lastAllowed) return;
     const std::uint32_t k = inRange ? thread / lanes : 0u, i = s.nearGrain[k], member = warpLane() % lanes;
     Group &group = shared.group[warpLane() / lanes];
-    SurfaceContacts &c = group.search.contacts;
+    SurfaceContacts &c = group.contacts;
     const Motion<Real> m = s.motion[i];
     const bool wanted = inRange && (m.word & s.wall.role), leads = member == 0;
     const GrainAtSurface<Real> g = s.grain(i, m);
     SurfaceSlots<Real> slots = s.slots(k);
     const NearList list = s.list(k, g.inBody);
-    GroupSearch<lanes>(s.at.surface, g.inBody, holdingReach<Law>(s.wall, slots, g.radius), list, group.search).find(wanted);
+    GroupSearch<lanes>(s.at.surface, g.inBody, holdingReach<Law>(s.wall, slots, g.radius), list, c, group.scratch)
+        .find(wanted);
     SurfaceTrouble trouble = SurfaceTrouble::None;
     if (wanted && leads) trouble = takeSlots(s.at, slots, c, g.radius, group.slot);
     warpSync();

@@ -11,16 +11,11 @@
 
 namespace gpudem {
 
-constexpr double outOfReach = 1e300;
-
-/// What the lanes of a group share.
+/// What the lanes of a group share while they search.
 template <std::uint32_t lanes>
-struct GroupContacts {
-  SurfaceContacts contacts;
+struct GroupScratch {
   SurfaceContact candidate[lanes];
   Prominence prominence[maxSurfaceContacts];
-  Vec3<double> normal[NearList::most];  ///< from the nearest points of the listed triangles to the centre, unit vectors
-  double distance[NearList::most];      ///< outOfReach if the triangle is
 };
 
 /// Lanes of a warp that work for one grain.
@@ -56,30 +51,31 @@ GPUDEM_RARE void surfaceContactsAlone(const SurfaceView &s, const Vec3<double> &
 template <std::uint32_t lanes>
 class GroupSearch {
  public:
+  /// \param found, scratch of the group
   GPUDEM_HD GroupSearch(const SurfaceView &s, const Vec3<double> &x, double reach, const NearList &list,
-                        GroupContacts<lanes> &shared)
-      : s_(s), x_(x), reach_(reach), list_(list), shared_(shared)
+                        SurfaceContacts &found, GroupScratch<lanes> &scratch)
+      : s_(s), x_(x), reach_(reach), list_(list), found_(found), scratch_(scratch)
   {
   }
 
-  /// surfaceContacts() into the shared contacts, seen by all lanes afterwards.
+  /// surfaceContacts() into the contacts of the group, seen by all lanes afterwards.
   GPUDEM_HD void find(bool wanted)
   {
     const bool together = wanted && list_.holdsTriangles();
     const std::uint32_t listed = findMinima(together);
     if (group_.leads() && wanted) {
-      if (!together) surfaceContactsAlone(s_, x_, reach_, shared_.contacts, list_);
-      else if (s_.side != 0) chooseSides(s_, shared_.contacts);
+      if (!together) surfaceContactsAlone(s_, x_, reach_, found_, list_);
+      else if (s_.side != 0) chooseSides(s_, found_);
     }
     warpSync();
-    weigh(together ? shared_.contacts.count : 0, listed);
+    weigh(together ? found_.count : 0, listed);
   }
 
  private:
   /// \return listed triangles that were looked at
   GPUDEM_HD std::uint32_t findMinima(bool together)
   {
-    MinimumList minima(shared_.contacts);
+    MinimumList minima(found_);
     const float limit = (static_cast<float>(reach_) + list_.moved) * 1.000001f;
     std::uint32_t listed = 0;
     bool more = together;
@@ -92,7 +88,7 @@ class GroupSearch {
       const bool minimum = run >> group_.member & 1u ? look(k) : false;
       std::uint32_t found = group_.ballot(minimum);
       warpSync();
-      for (; group_.leads() && found; found &= found - 1) minima.add(shared_.candidate[lowestBit(found)]);
+      for (; group_.leads() && found; found &= found - 1) minima.add(scratch_.candidate[lowestBit(found)]);
       warpSync();
     }
     return listed;
@@ -101,15 +97,10 @@ class GroupSearch {
   /// Entry \p k of the list. \return is its nearest point a minimum, which is then a candidate?
   GPUDEM_HD bool look(std::uint32_t k)
   {
-    shared_.distance[k] = outOfReach;
     bool minimum = false;
-    const std::uint32_t triangle = list_.entry(k);
-    visitTriangle(s_, triangle, x_, reach_, [&](std::uint32_t, const TrianglePoint &p, double distance2) {
-      const SurfaceContact c = contactAt(s_, triangle, p, squareRoot(distance2));
-      shared_.distance[k] = c.distance;
-      shared_.normal[k] = c.normal;
+    visitTriangle(s_, list_.entry(k), x_, reach_, [&](std::uint32_t triangle, const TrianglePoint &p, double distance2) {
       minimum = isMinimum(s_, s_.triangle[triangle], p, x_);
-      if (minimum) shared_.candidate[group_.member] = c;
+      if (minimum) scratch_.candidate[group_.member] = contactAt(s_, triangle, p, squareRoot(distance2));
       return true;
     });
     return minimum;
@@ -122,33 +113,38 @@ class GroupSearch {
     if (most < 2) return;
     for (int j = 1; j < most; ++j) {
       Prominence p{1.0, 0.0};
-      for (std::uint32_t k = group_.member; j < count && k < listed; k += lanes) compare(k, shared_.contacts.contact[j], p);
+      for (std::uint32_t k = group_.member; j < count && k < listed; k += lanes) compare(k, found_.contact[j], p);
       p.least = group_.least(p.least);
       p.hidden = -group_.least(-p.hidden);
-      if (group_.leads()) shared_.prominence[j] = p;
+      if (group_.leads()) scratch_.prominence[j] = p;
     }
     if (group_.leads() && count > 1) {
-      shared_.prominence[0] = {1.0, 0.0};
-      shared_.contacts.count = weighContacts(shared_.contacts.contact, count, reach_, shared_.prominence);
+      scratch_.prominence[0] = {1.0, 0.0};
+      found_.count = weighContacts(found_.contact, count, reach_, scratch_.prominence);
     }
     warpSync();
   }
 
   GPUDEM_HD void compare(std::uint32_t k, const SurfaceContact &contact, Prominence &p) const
   {
-    SurfaceContact nearer;
-    nearer.distance = shared_.distance[k];
-    if (!(nearer.distance < contact.distance) || nearer.distance == 0.0) return;
-    nearer.normal = shared_.normal[k];
-    const Vec3<double> chord = contact.normal - nearer.normal;
-    if (dot(chord, chord) > sameDirection2) compareWith(nearer, contact, reach_, p);
+    const auto against = [&](std::uint32_t, const TrianglePoint &point, double distance2) {
+      SurfaceContact nearer;
+      nearer.distance = squareRoot(distance2);
+      if (!(nearer.distance < contact.distance) || nearer.distance == 0.0) return true;
+      nearer.normal = point.branch * (1.0 / nearer.distance);
+      const Vec3<double> chord = contact.normal - nearer.normal;
+      if (dot(chord, chord) > sameDirection2) compareWith(nearer, contact, reach_, p);
+      return true;
+    };
+    visitTriangle(s_, list_.entry(k), x_, contact.distance, against);
   }
 
   const SurfaceView &s_;
   const Vec3<double> x_;
   const double reach_;
   const NearList &list_;
-  GroupContacts<lanes> &shared_;
+  SurfaceContacts &found_;
+  GroupScratch<lanes> &scratch_;
   LaneGroup<lanes> group_;
 };
 
